@@ -1,0 +1,93 @@
+//! Linear systems `H d = r` of the Newton steps, behind one object-safe trait.
+//!
+//! `H` is square with one [`Pattern`] for a whole solve, so the symbolic part is done once
+//! ([`LinearSolver::analyse`]), the numeric part at every iteration ([`LinearSolver::factor`]).
+//!
+//! | solver | used by `Auto` for | factor | reference |
+//! | --- | --- | --- | --- |
+//! | [`StackLu`] | `n < 16` | `2n³/3` flops, no heap | [GV13] Alg. 3.4.1 |
+//! | [`NalgebraLu`] | dense, `n <= 100` | `2n³/3`, unblocked | nalgebra |
+//! | [`FaerDenseLu`] | dense, `n > 100` | `2n³/3`, blocked | faer |
+//! | [`FaerSparseLu`] | sparse, `n > 100` | fill of COLAMD order | faer |
+//!
+//! All use partial pivoting. None knows of bounds.
+
+mod auto;
+mod faer_dense;
+mod faer_sparse;
+mod nalgebra_lu;
+mod stack_lu;
+
+pub use auto::Linear;
+pub use faer_dense::FaerDenseLu;
+pub use faer_sparse::FaerSparseLu;
+pub use nalgebra_lu::NalgebraLu;
+pub use stack_lu::StackLu;
+
+use crate::problem::Pattern;
+
+/// What went wrong in a linear solver. Both are facts about the matrix, not about its entries'
+/// meaning: the caller decides what a singular system is a sign of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum LinearError {
+    /// No nonzero pivot was left.
+    #[error("the matrix is singular: no pivot for column {column}")]
+    Singular {
+        /// The column without a pivot.
+        column: usize,
+    },
+    /// An entry is NaN or infinite.
+    #[error("the matrix has a non-finite entry")]
+    NotFinite,
+    /// The factors need more memory than there is.
+    #[error("not enough memory for the factors of a matrix of order {n}")]
+    OutOfMemory {
+        /// Order of the matrix.
+        n: usize,
+    },
+}
+
+/// What a factorisation found out about the matrix.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct FactorInfo {
+    /// Smallest over largest pivot in absolute value: 0 for a singular matrix, small for a
+    /// badly conditioned one. An upper-bound heuristic, not a condition number.
+    pub pivot_ratio: f64,
+}
+
+impl FactorInfo {
+    /// From the ratio of the extreme pivots.
+    pub fn new(pivot_ratio: f64) -> Self {
+        FactorInfo { pivot_ratio }
+    }
+}
+
+/// A direct solver for square systems of one pattern. Implement it to bring your own.
+///
+/// Calls come in the order `analyse`, then any number of `factor`, each followed by any number of
+/// `solve` and `solve_transposed`. After an error of `factor`, only `factor` may follow.
+pub trait LinearSolver {
+    /// Name for logs, e.g. `faer sparse LU`.
+    fn name(&self) -> &'static str;
+
+    /// Symbolic analysis and allocation, once per pattern. A repeated call with the same pattern
+    /// is cheap and allocates nothing.
+    ///
+    /// # Errors
+    /// [`LinearError::OutOfMemory`].
+    fn analyse(&mut self, pattern: &Pattern) -> Result<(), LinearError>;
+
+    /// Numeric factorisation of the matrix with `values` in the order of the pattern.
+    ///
+    /// # Errors
+    /// [`LinearError::Singular`] for an exactly zero pivot, [`LinearError::NotFinite`].
+    fn factor(&mut self, values: &[f64]) -> Result<FactorInfo, LinearError>;
+
+    /// `rhs ← H⁻¹ rhs`.
+    fn solve(&mut self, rhs: &mut [f64]);
+
+    /// `rhs ← H⁻ᵀ rhs`.
+    fn solve_transposed(&mut self, rhs: &mut [f64]);
+}

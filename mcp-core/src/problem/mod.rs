@@ -1,0 +1,3 @@
+//! Problems as numbers.
+mod pattern;
+pub use pattern::{Pattern, WithDiagonal};

@@ -1,0 +1,1 @@
+//! num-dual types.
