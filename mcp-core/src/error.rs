@@ -1,0 +1,208 @@
+//! [`ModelError`]: input that is wrong before iteration 0.
+
+use crate::linalg::LinearError;
+
+/// What is wrong with a model, a start or an option. Every message names the offender.
+///
+/// A solve that does not converge is *not* an error: it is a [`Status`](crate::Status).
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum ModelError {
+    /// A list has the wrong number of entries.
+    #[error("`{what}` has {found} entries, expected {expected}")]
+    Length {
+        /// The list.
+        what: String,
+        /// Entries it should have.
+        expected: usize,
+        /// Entries it has.
+        found: usize,
+    },
+    /// A name was given twice.
+    #[error("the name `{name}` is used twice")]
+    DuplicateName {
+        /// The name.
+        name: String,
+    },
+    /// A set has a label twice.
+    #[error("set `{set}` has the label `{label}` twice")]
+    DuplicateLabel {
+        /// The set.
+        set: String,
+        /// The label.
+        label: String,
+    },
+    /// A name that nothing has.
+    #[error("there is no {kind} `{name}`{}", did_you_mean(.nearest.as_deref()))]
+    UnknownName {
+        /// What was looked for: `variable`, `parameter`, …
+        kind: &'static str,
+        /// The name.
+        name: String,
+        /// The nearest existing name, if one is near.
+        nearest: Option<String>,
+    },
+    /// A bound is NaN, a lower bound is `+inf` or an upper bound `-inf`.
+    #[error("variable `{variable}` has the bounds [{lower}, {upper}], which no number satisfies")]
+    UnusableBounds {
+        /// Name of the variable.
+        variable: String,
+        /// Its lower bound.
+        lower: f64,
+        /// Its upper bound.
+        upper: f64,
+    },
+    /// The lower bound is above the upper bound.
+    #[error("variable `{variable}` has crossed bounds: lower {lower} is above upper {upper}")]
+    CrossedBounds {
+        /// Name of the variable.
+        variable: String,
+        /// Its lower bound.
+        lower: f64,
+        /// Its upper bound.
+        upper: f64,
+    },
+    /// The start of a variable is NaN or infinite.
+    #[error("the start of variable `{variable}` is {value}: give a finite number")]
+    StartNotFinite {
+        /// Name of the variable.
+        variable: String,
+        /// The start.
+        value: f64,
+    },
+    /// A parameter is NaN or infinite.
+    #[error("parameter `{parameter}` is {value}: give a finite number")]
+    ParameterNotFinite {
+        /// Name of the parameter's element.
+        parameter: String,
+        /// The value.
+        value: f64,
+    },
+    /// No equation complements this variable.
+    #[error("variable `{variable}` has no equation: pair one with it or fix it")]
+    Unpaired {
+        /// Name of the variable.
+        variable: String,
+    },
+    /// Two equations complement this variable.
+    #[error("variable `{variable}` is complementary to both `{first}` and `{second}`")]
+    PairedTwice {
+        /// Name of the variable.
+        variable: String,
+        /// The equation declared first.
+        first: String,
+        /// The other.
+        second: String,
+    },
+    /// An equation family and the variables it complements differ in number.
+    #[error(
+        "equation `{equation}` has {equations} rows but is paired with {variables} elements of \
+         variable `{variable}`"
+    )]
+    PairSize {
+        /// The equation family.
+        equation: String,
+        /// Its rows.
+        equations: usize,
+        /// The variable family.
+        variable: String,
+        /// Number of its elements paired.
+        variables: usize,
+    },
+    /// A row reads something that does not exist.
+    #[error("`{row}` reads {kind} number {index}, but there are only {count}")]
+    ReadOutOfRange {
+        /// The equation or definition.
+        row: String,
+        /// `variable`, `definition` or `parameter`.
+        kind: &'static str,
+        /// What it asked for, counted from 0.
+        index: usize,
+        /// How many there are.
+        count: usize,
+    },
+    /// A definition reads itself or a later one.
+    #[error("definition `{definition}` reads `{later}`, which is not defined before it")]
+    DefinitionOrder {
+        /// The definition.
+        definition: String,
+        /// What it reads.
+        later: String,
+    },
+    /// Second derivatives are asked of an external function, which gives only first ones.
+    #[error("equation `{equation}` calls an external function, which has no second derivatives")]
+    NoSecondOrder {
+        /// The equation.
+        equation: String,
+    },
+    /// An option is out of range.
+    #[error("option `{option}` is {value}: {rule}")]
+    Option {
+        /// Name of the field in [`Options`](crate::Options).
+        option: &'static str,
+        /// The value given.
+        value: String,
+        /// What it must be.
+        rule: &'static str,
+    },
+    /// The linear solver cannot take this problem.
+    #[error("the linear solver refuses the problem: {0}")]
+    Linear(#[from] LinearError),
+}
+
+fn did_you_mean(nearest: Option<&str>) -> String {
+    nearest.map(|name| format!("; did you mean `{name}`?")).unwrap_or_default()
+}
+
+/// The candidate nearest to `name` in edit distance, if at most a third of its letters differ.
+pub(crate) fn nearest<'a>(
+    name: &str,
+    candidates: impl IntoIterator<Item = &'a str>,
+) -> Option<String> {
+    let limit = name.chars().count().div_ceil(3).max(1);
+    candidates
+        .into_iter()
+        .map(|candidate| (edit_distance(name, candidate), candidate))
+        .filter(|(distance, _)| *distance <= limit)
+        .min()
+        .map(|(_, candidate)| candidate.to_owned())
+}
+
+/// Levenshtein distance: insertions, deletions and replacements of letters.
+fn edit_distance(a: &str, b: &str) -> usize {
+    let b: Vec<char> = b.chars().collect();
+    let mut row: Vec<usize> = (0..=b.len()).collect();
+    for (i, letter) in a.chars().enumerate() {
+        let mut diagonal = row[0];
+        row[0] = i + 1;
+        for j in 0..b.len() {
+            let replaced = diagonal + usize::from(letter != b[j]);
+            diagonal = row[j + 1];
+            row[j + 1] = replaced.min(row[j] + 1).min(row[j + 1] + 1);
+        }
+    }
+    row[b.len()]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_nearest_name_is_offered_only_when_it_is_near() {
+        let names = ["price", "quantity", "capacity"];
+        assert_eq!(nearest("prise", names), Some("price".to_owned()));
+        assert_eq!(nearest("capcity", names), Some("capacity".to_owned()));
+        assert_eq!(nearest("wage", names), None);
+    }
+
+    #[test]
+    fn an_unknown_name_reads_as_a_sentence() {
+        let error = ModelError::UnknownName {
+            kind: "variable",
+            name: "prise".to_owned(),
+            nearest: nearest("prise", ["price"]),
+        };
+        assert_eq!(error.to_string(), "there is no variable `prise`; did you mean `price`?");
+    }
+}

@@ -1,0 +1,130 @@
+//! [`Bounds`]: the box `l <= z <= u`.
+
+/// What a pair of bounds means for one variable.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum BoundKind {
+    /// No bound: `F_i = 0`, `z_i` anything.
+    Free,
+    /// `z_i >= l_i`.
+    Lower,
+    /// `z_i <= u_i`.
+    Upper,
+    /// `l_i <= z_i <= u_i` with `l_i < u_i`.
+    Boxed,
+    /// `z_i = l_i = u_i`: `F_i` may be anything.
+    Fixed,
+}
+
+/// Lower and upper bounds of all variables, infinite where there is none.
+///
+/// Invariant, checked where bounds are made: no NaN, `l_i <= u_i`, `l_i < +inf`, `u_i > -inf`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Bounds {
+    lower: Vec<f64>,
+    upper: Vec<f64>,
+}
+
+/// Why a pair of bounds is refused: index and kind of fault.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum BadBounds {
+    /// NaN, lower `+inf` or upper `-inf`.
+    Unusable(usize),
+    /// Lower above upper.
+    Crossed(usize),
+}
+
+impl Bounds {
+    /// Checks the invariant. Both lists have the same length.
+    pub(crate) fn new(lower: Vec<f64>, upper: Vec<f64>) -> Result<Self, BadBounds> {
+        debug_assert_eq!(lower.len(), upper.len());
+        for (i, (&l, &u)) in lower.iter().zip(&upper).enumerate() {
+            if l.is_nan() || u.is_nan() || l == f64::INFINITY || u == f64::NEG_INFINITY {
+                return Err(BadBounds::Unusable(i));
+            }
+            if l > u {
+                return Err(BadBounds::Crossed(i));
+            }
+        }
+        Ok(Bounds { lower, upper })
+    }
+
+    /// Number of variables.
+    pub fn n(&self) -> usize {
+        self.lower.len()
+    }
+
+    /// All lower bounds.
+    pub fn lower(&self) -> &[f64] {
+        &self.lower
+    }
+
+    /// All upper bounds.
+    pub fn upper(&self) -> &[f64] {
+        &self.upper
+    }
+
+    /// What the bounds of variable `i` mean.
+    #[inline]
+    pub fn kind(&self, i: usize) -> BoundKind {
+        let (l, u) = (self.lower[i], self.upper[i]);
+        match (l > f64::NEG_INFINITY, u < f64::INFINITY) {
+            (false, false) => BoundKind::Free,
+            (true, false) => BoundKind::Lower,
+            (false, true) => BoundKind::Upper,
+            (true, true) if l < u => BoundKind::Boxed,
+            (true, true) => BoundKind::Fixed,
+        }
+    }
+
+    /// Moves `z` into the box; NaN stays NaN.
+    #[inline]
+    pub fn project(&self, z: &mut [f64]) {
+        for ((z, &l), &u) in z.iter_mut().zip(&self.lower).zip(&self.upper) {
+            if *z < l {
+                *z = l;
+            } else if *z > u {
+                *z = u;
+            }
+        }
+    }
+
+    /// Whether `z` lies in the box; false for NaN.
+    pub fn contain(&self, z: &[f64]) -> bool {
+        z.iter().zip(&self.lower).zip(&self.upper).all(|((z, l), u)| l <= z && z <= u)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const INF: f64 = f64::INFINITY;
+
+    #[test]
+    fn kinds_follow_from_the_bounds() {
+        let bounds = Bounds::new(vec![-INF, 0.0, -INF, 0.0, 1.0], vec![INF, INF, 1.0, 1.0, 1.0]);
+        let bounds = bounds.unwrap();
+        let kinds: Vec<_> = (0..5).map(|i| bounds.kind(i)).collect();
+        use BoundKind::{Boxed, Fixed, Free, Lower, Upper};
+        assert_eq!(kinds, [Free, Lower, Upper, Boxed, Fixed]);
+    }
+
+    #[test]
+    fn senseless_bounds_are_refused() {
+        assert_eq!(Bounds::new(vec![0.0, 2.0], vec![1.0, 1.0]), Err(BadBounds::Crossed(1)));
+        for (l, u) in [(f64::NAN, 1.0), (0.0, f64::NAN), (INF, INF), (-INF, -INF)] {
+            assert_eq!(Bounds::new(vec![l], vec![u]), Err(BadBounds::Unusable(0)));
+        }
+    }
+
+    #[test]
+    fn projection_is_exact_and_keeps_nan() {
+        let bounds = Bounds::new(vec![0.0, 0.0, 0.0], vec![1.0, 1.0, 1.0]).unwrap();
+        let mut z = [-1e-300, 1.0 + f64::EPSILON, f64::NAN];
+        bounds.project(&mut z);
+        assert_eq!(z[..2], [0.0, 1.0]);
+        assert!(z[2].is_nan());
+        assert!(!bounds.contain(&z));
+        assert!(bounds.contain(&[0.0, 1.0, 0.5]));
+    }
+}

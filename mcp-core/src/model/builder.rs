@@ -1,0 +1,341 @@
+//! Declarations of a model's families, checked together when the [`Shape`] is built.
+
+use super::{Bounds, Family, Set, Shape, Values, shape::EquationFamily};
+use crate::error::ModelError;
+use crate::model::BadBounds;
+
+macro_rules! describe {
+    ($Declaration:ident, $indices:literal) => {
+        impl $Declaration {
+            #[doc = $indices]
+            #[must_use]
+            pub fn over(mut self, sets: &[&Set]) -> Self {
+                self.family.over(sets);
+                self
+            }
+            /// One line of explanation for reports.
+            #[must_use]
+            pub fn about(mut self, about: impl Into<String>) -> Self {
+                self.family.about = about.into();
+                self
+            }
+            /// Unit of measure for reports.
+            #[must_use]
+            pub fn unit(mut self, unit: impl Into<String>) -> Self {
+                self.family.unit = unit.into();
+                self
+            }
+        }
+    };
+}
+
+/// A family of variables: free and starting at 0 unless said otherwise.
+#[derive(Clone, Debug)]
+pub struct Variable {
+    family: Family,
+    lower: Values,
+    upper: Values,
+    start: Values,
+}
+
+describe!(Variable, "One variable for each combination of elements of these sets.");
+
+impl Variable {
+    /// A single free variable; see [`over`](Self::over).
+    pub fn new(name: impl Into<String>) -> Self {
+        Variable {
+            family: Family::new(name.into()),
+            lower: Values::Same(f64::NEG_INFINITY),
+            upper: Values::Same(f64::INFINITY),
+            start: Values::Same(0.0),
+        }
+    }
+    /// Lower bounds; default `-inf`.
+    #[must_use]
+    pub fn lower(mut self, lower: impl Into<Values>) -> Self {
+        self.lower = lower.into();
+        self
+    }
+    /// Upper bounds; default `+inf`.
+    #[must_use]
+    pub fn upper(mut self, upper: impl Into<Values>) -> Self {
+        self.upper = upper.into();
+        self
+    }
+    /// Fixes the variables: their equations may have any value.
+    #[must_use]
+    pub fn fixed(mut self, value: impl Into<Values>) -> Self {
+        self.lower = value.into();
+        self.upper = self.lower.clone();
+        self.start = self.lower.clone();
+        self
+    }
+    /// Where a solve starts; default 0, moved into the bounds.
+    #[must_use]
+    pub fn start(mut self, start: impl Into<Values>) -> Self {
+        self.start = start.into();
+        self
+    }
+}
+
+/// A family of equations and the variables they are complementary to.
+#[derive(Clone, Debug)]
+pub struct Equation {
+    family: Family,
+    variable: String,
+    elements: Option<Vec<usize>>,
+}
+
+describe!(Equation, "One equation for each combination of elements of these sets.");
+
+impl Equation {
+    /// A single equation; see [`over`](Self::over).
+    pub fn new(name: impl Into<String>) -> Self {
+        Equation { family: Family::new(name.into()), variable: String::new(), elements: None }
+    }
+    /// Pairs row `k` with element `k` of a variable family of the same size.
+    #[must_use]
+    pub fn complements(mut self, variable: impl Into<String>) -> Self {
+        self.variable = variable.into();
+        self
+    }
+    /// Pairs row `k` with element `elements[k]` of a variable family, so that several equation
+    /// families can share one.
+    #[must_use]
+    pub fn complements_elements(
+        mut self,
+        variable: impl Into<String>,
+        elements: impl Into<Vec<usize>>,
+    ) -> Self {
+        self.variable = variable.into();
+        self.elements = Some(elements.into());
+        self
+    }
+}
+
+/// A family of named sub-expressions, evaluated once per pass and read by rows.
+#[derive(Clone, Debug)]
+pub struct Definition {
+    family: Family,
+}
+
+describe!(Definition, "One sub-expression for each combination of elements of these sets.");
+
+impl Definition {
+    /// A single definition; see [`over`](Self::over).
+    pub fn new(name: impl Into<String>) -> Self {
+        Definition { family: Family::new(name.into()) }
+    }
+}
+
+/// A family of parameters: constants of a solve that can be changed between solves.
+#[derive(Clone, Debug)]
+pub struct Parameter {
+    family: Family,
+    values: Values,
+}
+
+describe!(Parameter, "One parameter for each combination of elements of these sets.");
+
+impl Parameter {
+    /// A parameter with its value; see [`over`](Self::over).
+    pub fn new(name: impl Into<String>, values: impl Into<Values>) -> Self {
+        Parameter { family: Family::new(name.into()), values: values.into() }
+    }
+}
+
+/// Collects declarations; [`build`](Self::build) checks them together.
+#[derive(Clone, Debug, Default)]
+pub struct ShapeBuilder {
+    variables: Vec<Variable>,
+    equations: Vec<Equation>,
+    definitions: Vec<Definition>,
+    parameters: Vec<Parameter>,
+}
+
+impl ShapeBuilder {
+    /// Adds a variable family. Variables are numbered in the order of declaration.
+    #[must_use]
+    pub fn variable(mut self, variable: Variable) -> Self {
+        self.variables.push(variable);
+        self
+    }
+    /// Adds an equation family.
+    #[must_use]
+    pub fn equation(mut self, equation: Equation) -> Self {
+        self.equations.push(equation);
+        self
+    }
+    /// Adds a definition family. It may read earlier ones only.
+    #[must_use]
+    pub fn definition(mut self, definition: Definition) -> Self {
+        self.definitions.push(definition);
+        self
+    }
+    /// Adds a parameter family.
+    #[must_use]
+    pub fn parameter(mut self, parameter: Parameter) -> Self {
+        self.parameters.push(parameter);
+        self
+    }
+
+    /// Checks names, sizes, bounds, starts, parameters and pairs.
+    ///
+    /// # Errors
+    /// The first fault found, by name: [`ModelError::DuplicateName`], [`ModelError::Length`],
+    /// [`ModelError::UnusableBounds`], [`ModelError::CrossedBounds`],
+    /// [`ModelError::StartNotFinite`], [`ModelError::ParameterNotFinite`],
+    /// [`ModelError::UnknownName`], [`ModelError::PairSize`], [`ModelError::PairedTwice`],
+    /// [`ModelError::Unpaired`].
+    pub fn build(self) -> Result<Shape, ModelError> {
+        let ShapeBuilder { variables, equations, mut definitions, mut parameters } = self;
+        let mut names = Vec::new();
+        names.extend(variables.iter().map(|v| &v.family.name));
+        names.extend(equations.iter().map(|e| &e.family.name));
+        names.extend(definitions.iter().map(|d| &d.family.name));
+        names.extend(parameters.iter().map(|p| &p.family.name));
+        names.sort_unstable();
+        if let Some(pair) = names.windows(2).find(|pair| pair[0] == pair[1]) {
+            return Err(ModelError::DuplicateName { name: pair[0].clone() });
+        }
+
+        let (variables, bounds, start) = number_variables(variables)?;
+        number(definitions.iter_mut().map(|d| &mut d.family));
+        number(parameters.iter_mut().map(|p| &mut p.family));
+        let mut values = Vec::new();
+        for parameter in &parameters {
+            extend(&mut values, &parameter.family, &parameter.values, "value")?;
+        }
+        let parameters: Vec<Family> = parameters.into_iter().map(|p| p.family).collect();
+        check_parameters(&parameters, &values)?;
+        let equations = pair(equations, &variables)?;
+        let definitions = definitions.into_iter().map(|d| d.family).collect();
+        Shape::assemble(variables, equations, definitions, parameters, bounds, start, values)
+    }
+}
+
+/// Parameters must be finite.
+pub(super) fn check_parameters(families: &[Family], values: &[f64]) -> Result<(), ModelError> {
+    match values.iter().position(|v| !v.is_finite()) {
+        None => Ok(()),
+        Some(k) => Err(ModelError::ParameterNotFinite {
+            parameter: name_among(families, k),
+            value: values[k],
+        }),
+    }
+}
+
+/// Name of element `k` among all elements of the families.
+pub(super) fn name_among(families: &[Family], k: usize) -> String {
+    let family = families.partition_point(|family| family.offset + family.len <= k);
+    families[family].element_name(k - families[family].offset)
+}
+
+/// Gives every family its offset.
+fn number<'a>(families: impl Iterator<Item = &'a mut Family>) {
+    let mut offset = 0;
+    for family in families {
+        family.offset = offset;
+        offset += family.len;
+    }
+}
+
+/// Appends one value for each element of the family.
+fn extend(
+    all: &mut Vec<f64>,
+    family: &Family,
+    values: &Values,
+    what: &str,
+) -> Result<(), ModelError> {
+    match values {
+        Values::Same(value) => all.extend(std::iter::repeat_n(*value, family.len)),
+        Values::Each(each) if each.len() == family.len => all.extend_from_slice(each),
+        Values::Each(each) => {
+            return Err(ModelError::Length {
+                what: format!("{what} of {}", family.name),
+                expected: family.len,
+                found: each.len(),
+            });
+        }
+    }
+    Ok(())
+}
+
+fn number_variables(
+    mut variables: Vec<Variable>,
+) -> Result<(Vec<Family>, Bounds, Vec<f64>), ModelError> {
+    number(variables.iter_mut().map(|v| &mut v.family));
+    let (mut lower, mut upper, mut start) = (Vec::new(), Vec::new(), Vec::new());
+    for variable in &variables {
+        extend(&mut lower, &variable.family, &variable.lower, "lower bound")?;
+        extend(&mut upper, &variable.family, &variable.upper, "upper bound")?;
+        extend(&mut start, &variable.family, &variable.start, "start")?;
+    }
+    let families: Vec<Family> = variables.into_iter().map(|v| v.family).collect();
+    let bounds = checked_bounds(lower, upper, |j| name_among(&families, j))?;
+    check_start(&start, |j| name_among(&families, j))?;
+    bounds.project(&mut start);
+    Ok((families, bounds, start))
+}
+
+/// Bounds that satisfy their invariant, or the variable that does not.
+pub(super) fn checked_bounds(
+    lower: Vec<f64>,
+    upper: Vec<f64>,
+    name: impl Fn(usize) -> String,
+) -> Result<Bounds, ModelError> {
+    let (l, u) = (lower.clone(), upper.clone());
+    Bounds::new(lower, upper).map_err(|bad| match bad {
+        BadBounds::Unusable(j) => {
+            ModelError::UnusableBounds { variable: name(j), lower: l[j], upper: u[j] }
+        }
+        BadBounds::Crossed(j) => {
+            ModelError::CrossedBounds { variable: name(j), lower: l[j], upper: u[j] }
+        }
+    })
+}
+
+/// A start must be finite.
+pub(crate) fn check_start(start: &[f64], name: impl Fn(usize) -> String) -> Result<(), ModelError> {
+    match start.iter().position(|z| !z.is_finite()) {
+        None => Ok(()),
+        Some(j) => Err(ModelError::StartNotFinite { variable: name(j), value: start[j] }),
+    }
+}
+
+/// Resolves every equation's variable and the elements it is paired with.
+fn pair(
+    mut equations: Vec<Equation>,
+    variables: &[Family],
+) -> Result<Vec<EquationFamily>, ModelError> {
+    number(equations.iter_mut().map(|e| &mut e.family));
+    let mut paired = Vec::new();
+    for Equation { family, variable, elements } in equations {
+        let target = variables.iter().find(|v| v.name == variable).ok_or_else(|| {
+            let names = variables.iter().map(|v| v.name.as_str());
+            let nearest = crate::error::nearest(&variable, names);
+            ModelError::UnknownName { kind: "variable", name: variable.clone(), nearest }
+        })?;
+        let count = elements.as_ref().map_or(target.len, Vec::len);
+        if count != family.len {
+            return Err(ModelError::PairSize {
+                equation: family.name,
+                equations: family.len,
+                variable,
+                variables: count,
+            });
+        }
+        let elements: Vec<usize> = elements.unwrap_or_else(|| (0..target.len).collect());
+        if let Some(&index) = elements.iter().find(|&&k| k >= target.len) {
+            return Err(ModelError::ReadOutOfRange {
+                row: family.name,
+                kind: "paired variable",
+                index,
+                count: target.len,
+            });
+        }
+        let pairs = elements.into_iter().map(|k| target.offset + k).collect();
+        paired.push(EquationFamily { family, pairs });
+    }
+    Ok(paired)
+}

@@ -1,0 +1,274 @@
+//! [`Shape`]: everything about a model that is not a formula.
+
+use super::builder::{check_parameters, check_start, checked_bounds, name_among};
+use super::{Bounds, Family, Set, ShapeBuilder, Variable};
+use crate::error::{ModelError, nearest};
+
+/// Families, names, bounds, starts, parameters and pairs of a model.
+///
+/// Variables, definitions and parameters are numbered through in the order of declaration; so are
+/// the rows of the equations. `F_i` is the row paired with variable `i`, whatever its own number.
+/// Names are made on demand.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Shape {
+    variables: Vec<Family>,
+    equations: Vec<EquationFamily>,
+    definitions: Vec<Family>,
+    parameters: Vec<Family>,
+    bounds: Bounds,
+    start: Vec<f64>,
+    parameter_values: Vec<f64>,
+    /// Row paired with each variable; fixed variables may have none.
+    row_of: Vec<Option<usize>>,
+}
+
+/// An equation family and the variable each of its rows is paired with.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct EquationFamily {
+    pub(crate) family: Family,
+    pub(crate) pairs: Vec<usize>,
+}
+
+/// A row by its equation family and its place in it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Row {
+    /// Number of the equation family.
+    pub family: usize,
+    /// Number of the row in the family.
+    pub index: usize,
+}
+
+impl Shape {
+    /// Starts a declaration.
+    pub fn builder() -> ShapeBuilder {
+        ShapeBuilder::default()
+    }
+
+    /// A shape without names for a problem that is not a model: variables `z[1]`, …, equations
+    /// `F[1]`, …, starting at `start` moved into the bounds.
+    ///
+    /// # Errors
+    /// As [`ShapeBuilder::build`].
+    pub fn anonymous(lower: &[f64], upper: &[f64], start: &[f64]) -> Result<Self, ModelError> {
+        let rows = Set::count("rows", lower.len());
+        let variable = Variable::new("z").over(&[&rows]).lower(lower).upper(upper).start(start);
+        let equation = super::Equation::new("F").over(&[&rows]).complements("z");
+        Self::builder().variable(variable).equation(equation).build()
+    }
+
+    /// Checks that every variable has exactly one row; a fixed one may have none.
+    pub(super) fn assemble(
+        variables: Vec<Family>,
+        equations: Vec<EquationFamily>,
+        definitions: Vec<Family>,
+        parameters: Vec<Family>,
+        bounds: Bounds,
+        start: Vec<f64>,
+        parameter_values: Vec<f64>,
+    ) -> Result<Self, ModelError> {
+        let mut row_of: Vec<Option<usize>> = vec![None; bounds.n()];
+        let row_name = |row: usize| {
+            let e = equations.partition_point(|e| e.family.offset + e.family.len <= row);
+            equations[e].family.element_name(row - equations[e].family.offset)
+        };
+        for equation in &equations {
+            for (index, &variable) in equation.pairs.iter().enumerate() {
+                let row = equation.family.offset + index;
+                if let Some(first) = row_of[variable].replace(row) {
+                    return Err(ModelError::PairedTwice {
+                        variable: name_among(&variables, variable),
+                        first: row_name(first),
+                        second: row_name(row),
+                    });
+                }
+            }
+        }
+        let is_fixed = |j: usize| bounds.kind(j) == super::BoundKind::Fixed;
+        if let Some(j) = (0..bounds.n()).find(|&j| row_of[j].is_none() && !is_fixed(j)) {
+            return Err(ModelError::Unpaired { variable: name_among(&variables, j) });
+        }
+        Ok(Shape {
+            variables,
+            equations,
+            definitions,
+            parameters,
+            bounds,
+            start,
+            parameter_values,
+            row_of,
+        })
+    }
+
+    /// Number of variables.
+    pub fn n(&self) -> usize {
+        self.bounds.n()
+    }
+    /// Number of rows of `F` that a model computes; smaller than [`n`](Self::n) only where fixed
+    /// variables have no equation.
+    pub fn row_count(&self) -> usize {
+        self.equations.iter().map(|e| e.family.len).sum()
+    }
+    /// Number of definitions.
+    pub fn definition_count(&self) -> usize {
+        self.definitions.iter().map(Family::len).sum()
+    }
+
+    /// Variable families in the order of declaration.
+    pub fn variables(&self) -> &[Family] {
+        &self.variables
+    }
+    /// Equation families in the order of declaration.
+    pub fn equations(&self) -> impl ExactSizeIterator<Item = &Family> {
+        self.equations.iter().map(|e| &e.family)
+    }
+    /// Definition families in the order of declaration.
+    pub fn definitions(&self) -> &[Family] {
+        &self.definitions
+    }
+    /// Parameter families in the order of declaration.
+    pub fn parameters(&self) -> &[Family] {
+        &self.parameters
+    }
+    /// The box.
+    pub fn bounds(&self) -> &Bounds {
+        &self.bounds
+    }
+    /// Where a solve starts unless told otherwise; inside the box.
+    pub fn start(&self) -> &[f64] {
+        &self.start
+    }
+    /// Values of all parameters.
+    pub fn parameter_values(&self) -> &[f64] {
+        &self.parameter_values
+    }
+
+    /// The variable family of that name.
+    ///
+    /// # Errors
+    /// [`ModelError::UnknownName`] with the nearest name.
+    pub fn variable(&self, name: &str) -> Result<&Family, ModelError> {
+        find("variable", &self.variables, name)
+    }
+    /// The parameter family of that name.
+    ///
+    /// # Errors
+    /// [`ModelError::UnknownName`] with the nearest name.
+    pub fn parameter(&self, name: &str) -> Result<&Family, ModelError> {
+        find("parameter", &self.parameters, name)
+    }
+    /// The definition family of that name.
+    ///
+    /// # Errors
+    /// [`ModelError::UnknownName`] with the nearest name.
+    pub fn definition(&self, name: &str) -> Result<&Family, ModelError> {
+        find("definition", &self.definitions, name)
+    }
+
+    /// Changes the values of a parameter family.
+    ///
+    /// # Errors
+    /// [`ModelError::UnknownName`], [`ModelError::Length`], [`ModelError::ParameterNotFinite`].
+    pub fn set_parameter(&mut self, name: &str, values: &[f64]) -> Result<(), ModelError> {
+        let family = self.parameter(name)?;
+        let (offset, expected) = (family.offset, family.len);
+        if values.len() != expected {
+            let what = format!("parameter {name}");
+            return Err(ModelError::Length { what, expected, found: values.len() });
+        }
+        check_parameters(std::slice::from_ref(&Family { offset: 0, ..family.clone() }), values)?;
+        self.parameter_values[offset..offset + expected].copy_from_slice(values);
+        Ok(())
+    }
+
+    /// Changes the start, moving it into the bounds.
+    ///
+    /// # Errors
+    /// [`ModelError::Length`], [`ModelError::StartNotFinite`].
+    pub fn set_start(&mut self, start: &[f64]) -> Result<(), ModelError> {
+        self.check_start(start)?;
+        self.start.copy_from_slice(start);
+        self.bounds.project(&mut self.start);
+        Ok(())
+    }
+
+    /// Changes all bounds, moving the start into them.
+    ///
+    /// # Errors
+    /// [`ModelError::Length`], [`ModelError::UnusableBounds`], [`ModelError::CrossedBounds`].
+    pub fn set_bounds(&mut self, lower: &[f64], upper: &[f64]) -> Result<(), ModelError> {
+        for (what, bound) in [("lower bounds", lower), ("upper bounds", upper)] {
+            if bound.len() != self.n() {
+                let (what, found) = (what.to_owned(), bound.len());
+                return Err(ModelError::Length { what, expected: self.n(), found });
+            }
+        }
+        self.bounds =
+            checked_bounds(lower.to_vec(), upper.to_vec(), |j| name_among(&self.variables, j))?;
+        self.bounds.project(&mut self.start);
+        Ok(())
+    }
+
+    /// Whether `start` has the right length and finite entries.
+    pub(crate) fn check_start(&self, start: &[f64]) -> Result<(), ModelError> {
+        if start.len() != self.n() {
+            let what = "start".to_owned();
+            return Err(ModelError::Length { what, expected: self.n(), found: start.len() });
+        }
+        check_start(start, |j| self.variable_name(j))
+    }
+
+    /// Family and index of row number `row`.
+    pub fn row(&self, row: usize) -> Row {
+        let family = self.equations.partition_point(|e| e.family.offset + e.family.len <= row);
+        Row { family, index: row - self.equations[family].family.offset }
+    }
+    /// The variable that row number `row` is paired with.
+    pub fn variable_of_row(&self, row: usize) -> usize {
+        let Row { family, index } = self.row(row);
+        self.equations[family].pairs[index]
+    }
+    /// The row paired with variable `i`; `None` for a fixed variable without equation.
+    pub fn row_of_variable(&self, i: usize) -> Option<usize> {
+        self.row_of[i]
+    }
+
+    /// Name of variable `j`, such as `x[seattle, topeka]`.
+    pub fn variable_name(&self, j: usize) -> String {
+        name_among(&self.variables, j)
+    }
+    /// Name of the equation paired with variable `i`: the name of `F_i`.
+    pub fn equation_name(&self, i: usize) -> String {
+        match self.row_of[i] {
+            Some(row) => {
+                let Row { family, index } = self.row(row);
+                self.equations[family].family.element_name(index)
+            }
+            None => format!("(no equation: {} is fixed)", self.variable_name(i)),
+        }
+    }
+    /// Name of definition `k`.
+    pub fn definition_name(&self, k: usize) -> String {
+        name_among(&self.definitions, k)
+    }
+    /// The variable family that variable `j` belongs to.
+    pub fn variable_family(&self, j: usize) -> &Family {
+        let family = self.variables.partition_point(|f| f.offset + f.len <= j);
+        &self.variables[family]
+    }
+}
+
+fn find<'a>(
+    kind: &'static str,
+    families: &'a [Family],
+    name: &str,
+) -> Result<&'a Family, ModelError> {
+    families.iter().find(|f| f.name() == name).ok_or_else(|| ModelError::UnknownName {
+        kind,
+        name: name.to_owned(),
+        nearest: nearest(name, families.iter().map(Family::name)),
+    })
+}
+
+#[cfg(test)]
+#[path = "shape_tests.rs"]
+mod tests;
