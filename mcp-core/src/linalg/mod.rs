@@ -5,20 +5,26 @@
 //!
 //! | solver | used by `Auto` for | factor | reference |
 //! | --- | --- | --- | --- |
-//! | [`StackLu`] | `n < 16` | `2n³/3` flops, no heap | [GV13] Alg. 3.4.1 |
-//! | [`NalgebraLu`] | dense, `n <= 100` | `2n³/3`, unblocked | nalgebra |
+//! | [`StackLu`] | `n < 16` | `2n³/3` flops, no heap | \[GV13\] Alg. 3.4.1 |
+//! | [`NalgebraLu`] | `n <= 100` | `2n³/3`, unblocked | nalgebra |
 //! | [`FaerDenseLu`] | dense, `n > 100` | `2n³/3`, blocked | faer |
 //! | [`FaerSparseLu`] | sparse, `n > 100` | fill of COLAMD order | faer |
 //!
-//! All use partial pivoting. None knows of bounds.
+//! All use partial pivoting. None knows of bounds. [`Linear`] chooses among them.
+//!
+//! \[GV13\]: G. H. Golub, C. F. Van Loan, Matrix Computations, 4th ed., 2013.
 
 mod auto;
 mod faer_dense;
 mod faer_sparse;
 mod nalgebra_lu;
+mod pivots;
 mod stack_lu;
+mod storage;
+#[cfg(test)]
+mod tests;
 
-pub use auto::Linear;
+pub use auto::{Linear, UnknownLinear};
 pub use faer_dense::FaerDenseLu;
 pub use faer_sparse::FaerSparseLu;
 pub use nalgebra_lu::NalgebraLu;
@@ -26,25 +32,33 @@ pub use stack_lu::StackLu;
 
 use crate::problem::Pattern;
 
-/// What went wrong in a linear solver. Both are facts about the matrix, not about its entries'
+/// What went wrong in a linear solver. These are facts about the matrix, not about its entries'
 /// meaning: the caller decides what a singular system is a sign of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum LinearError {
-    /// No nonzero pivot was left.
+    /// No pivot other than zero was left, or none with a finite reciprocal.
     #[error("the matrix is singular: no pivot for column {column}")]
     Singular {
         /// The column without a pivot.
         column: usize,
     },
-    /// An entry is NaN or infinite.
-    #[error("the matrix has a non-finite entry")]
+    /// An entry is NaN or infinite, or became so in the factorisation.
+    #[error("the matrix or its factors have a non-finite entry")]
     NotFinite,
     /// The factors need more memory than there is.
     #[error("not enough memory for the factors of a matrix of order {n}")]
     OutOfMemory {
         /// Order of the matrix.
         n: usize,
+    },
+    /// The solver does not take matrices of this order.
+    #[error("the matrix has order {n}, but the solver takes at most {limit}")]
+    TooLarge {
+        /// Order of the matrix.
+        n: usize,
+        /// Largest order of the solver.
+        limit: usize,
     },
 }
 
@@ -76,7 +90,7 @@ pub trait LinearSolver {
     /// is cheap and allocates nothing.
     ///
     /// # Errors
-    /// [`LinearError::OutOfMemory`].
+    /// [`LinearError::OutOfMemory`], [`LinearError::TooLarge`].
     fn analyse(&mut self, pattern: &Pattern) -> Result<(), LinearError>;
 
     /// Numeric factorisation of the matrix with `values` in the order of the pattern.

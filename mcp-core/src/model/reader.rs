@@ -132,5 +132,5 @@ fn seed<D: Scalar>(value: f64, slot: u32, first_lane: u32) -> Real<D> {
 
 /// NaN for a number that does not exist: the recorder reports it by name.
 fn recorded<D: Scalar>(values: &[f64], k: usize) -> Real<D> {
-    Real(D::constant(values.get(k).copied().unwrap_or(f64::NAN)))
+    Real(D::seed(values.get(k).copied().unwrap_or(f64::NAN), 0))
 }

@@ -1,7 +1,7 @@
 //! [`Shape`]: everything about a model that is not a formula.
 
 use super::builder::{check_parameters, check_start, checked_bounds, name_among};
-use super::{Bounds, Family, Set, ShapeBuilder, Variable};
+use super::{BoundKind, Bounds, Family, Set, ShapeBuilder, Variable};
 use crate::error::{ModelError, nearest};
 
 /// Families, names, bounds, starts, parameters and pairs of a model.
@@ -83,11 +83,7 @@ impl Shape {
                 }
             }
         }
-        let is_fixed = |j: usize| bounds.kind(j) == super::BoundKind::Fixed;
-        if let Some(j) = (0..bounds.n()).find(|&j| row_of[j].is_none() && !is_fixed(j)) {
-            return Err(ModelError::Unpaired { variable: name_among(&variables, j) });
-        }
-        Ok(Shape {
+        let shape = Shape {
             variables,
             equations,
             definitions,
@@ -96,7 +92,18 @@ impl Shape {
             start,
             parameter_values,
             row_of,
-        })
+        };
+        shape.check_paired(&shape.bounds)?;
+        Ok(shape)
+    }
+
+    /// Only a variable that `bounds` fix may lack an equation.
+    fn check_paired(&self, bounds: &Bounds) -> Result<(), ModelError> {
+        let lacks = |j: usize| self.row_of[j].is_none() && bounds.kind(j) != BoundKind::Fixed;
+        match (0..bounds.n()).find(|&j| lacks(j)) {
+            Some(j) => Err(ModelError::Unpaired { variable: self.variable_name(j) }),
+            None => Ok(()),
+        }
     }
 
     /// Number of variables.
@@ -194,7 +201,8 @@ impl Shape {
     /// Changes all bounds, moving the start into them.
     ///
     /// # Errors
-    /// [`ModelError::Length`], [`ModelError::UnusableBounds`], [`ModelError::CrossedBounds`].
+    /// [`ModelError::Length`], [`ModelError::UnusableBounds`], [`ModelError::CrossedBounds`],
+    /// [`ModelError::Unpaired`] for a variable without equation that is no longer fixed.
     pub fn set_bounds(&mut self, lower: &[f64], upper: &[f64]) -> Result<(), ModelError> {
         for (what, bound) in [("lower bounds", lower), ("upper bounds", upper)] {
             if bound.len() != self.n() {
@@ -202,8 +210,10 @@ impl Shape {
                 return Err(ModelError::Length { what, expected: self.n(), found });
             }
         }
-        self.bounds =
+        let bounds =
             checked_bounds(lower.to_vec(), upper.to_vec(), |j| name_among(&self.variables, j))?;
+        self.check_paired(&bounds)?;
+        self.bounds = bounds;
         self.bounds.project(&mut self.start);
         Ok(())
     }

@@ -1,3 +1,57 @@
-//! Problems as numbers.
+//! What solvers see: the box, a pattern, and `F` and `J` as plain numbers.
+//!
+//! [`AdProblem`] turns a [`Model`](crate::Model) into a [`Problem`] with exact derivatives. One
+//! pass gives `F` and `J` together:
+//!
+//! - a model whose rows come from one function of fixed size is run once over all variables with
+//!   one lane each (chunks of 16 above 16 variables): cost `⌈n/16⌉` passes;
+//! - a model given row by row is run row by row, and a row carries only the lanes of the variables
+//!   and definitions it reads. `J = ∂f/∂z + ∂f/∂d · ∂d/∂z` is assembled sparsely. Cost: for a row
+//!   that reads `k` numbers, one evaluation with `k` lanes, in chunks of 16.
+//!
+//! Lane counts are the smallest of 1, 2, 4, 8, 16 that suffice. The pattern comes from the reads of
+//! every row, recorded once.
+
+mod ad;
+mod counting;
+mod lanes;
 mod pattern;
+mod record;
+mod rows;
+
+pub use ad::{AdProblem, Engine};
+pub use counting::{Counting, Passes};
 pub use pattern::{Pattern, WithDiagonal};
+
+use crate::model::Shape;
+
+/// A mixed complementarity problem as numbers: object safe, the same for models, hand-coded
+/// functions and files.
+///
+/// Implement it directly for functions that come with their own Jacobian.
+pub trait Problem {
+    /// Bounds, start, names.
+    fn shape(&self) -> &Shape;
+
+    /// Structural nonzeros of the Jacobian; the same at every call.
+    fn pattern(&self) -> &Pattern;
+
+    /// Evaluates `F` and the Jacobian at `z` in one pass; `None` is not computed.
+    ///
+    /// `f[i]` is the equation paired with variable `i`; `jac` holds `∂F_i/∂z_j` in the order of
+    /// the [`pattern`](Self::pattern). Lengths: `n`, `n`, `nnz`. Outside the domain of `F`, entries
+    /// are NaN or infinite; that is an answer, not an error.
+    fn evaluate(&mut self, z: &[f64], f: Option<&mut [f64]>, jac: Option<&mut [f64]>);
+}
+
+impl<P: Problem + ?Sized> Problem for &mut P {
+    fn shape(&self) -> &Shape {
+        (**self).shape()
+    }
+    fn pattern(&self) -> &Pattern {
+        (**self).pattern()
+    }
+    fn evaluate(&mut self, z: &[f64], f: Option<&mut [f64]>, jac: Option<&mut [f64]>) {
+        (**self).evaluate(z, f, jac);
+    }
+}

@@ -1,0 +1,10 @@
+//! Globalisation: which trial points a Newton method accepts, and when it stops trying.
+
+mod armijo;
+mod reference;
+mod stall;
+
+pub use armijo::Armijo;
+pub use reference::{Nonmonotone, Reference};
+pub use stall::Stall;
+pub(crate) use stall::StallWatch;

@@ -1,0 +1,196 @@
+//! [`AdProblem`]: a model with exact derivatives.
+
+use super::lanes::Lanes;
+use super::record::{record_rows, trace_whole};
+use super::rows::{JetLanes, Rows, pattern_of};
+use super::{Pattern, Problem};
+use crate::error::ModelError;
+use crate::model::{Model, Reader, Shape};
+use crate::scalar::{Counted, Jet, OperationCounts, Real, Scalar, Tally};
+
+/// Which arithmetic carries the derivatives.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Engine {
+    /// [`Jet`] with 1, 2, 4, 8 or 16 lanes, as few as suffice. The default.
+    #[default]
+    Jet,
+    /// num-dual's `DualSVec64<8>`: the independent second opinion.
+    NumDual,
+}
+
+/// How a model is evaluated: dense lanes or row by row.
+pub(super) trait Pass<M> {
+    /// `F` alone.
+    fn residual(&mut self, model: &M, z: &[f64], parameters: &[f64], f: &mut [f64]);
+    /// `J`, and `F` if asked for.
+    fn jacobian(
+        &mut self,
+        model: &M,
+        at: (&[f64], &[f64]),
+        pattern: &Pattern,
+        f: Option<&mut [f64]>,
+        jac: &mut [f64],
+    );
+}
+
+/// A [`Model`] as a [`Problem`]: exact Jacobian, pattern found by recording, workspace kept.
+///
+/// It owns a copy of the model's shape, so bounds, start and parameters of *this problem* can be
+/// changed between solves. Nothing is allocated after construction.
+pub struct AdProblem<M> {
+    model: M,
+    shape: Shape,
+    pattern: Pattern,
+    pass: Box<dyn Pass<M>>,
+    /// Whether the equation paired with each variable has second derivatives.
+    second_order: Vec<bool>,
+}
+
+impl<M: Model> AdProblem<M> {
+    /// Records the pattern and allocates the workspace, with the default [`Engine::Jet`].
+    ///
+    /// # Errors
+    /// [`ModelError::ReadOutOfRange`], [`ModelError::DefinitionOrder`].
+    pub fn new(model: M) -> Result<Self, ModelError> {
+        Self::assemble(
+            model,
+            |n, shape, pattern| match n {
+                0..=1 => Box::new(Lanes::<Jet<1>>::new(shape, pattern)),
+                2 => Box::new(Lanes::<Jet<2>>::new(shape, pattern)),
+                3..=4 => Box::new(Lanes::<Jet<4>>::new(shape, pattern)),
+                5..=8 => Box::new(Lanes::<Jet<8>>::new(shape, pattern)),
+                _ => Box::new(Lanes::<Jet<16>>::new(shape, pattern)),
+            },
+            |shape, recorded, pattern| Box::new(Rows::<JetLanes>::new(shape, recorded, pattern)),
+        )
+    }
+
+    fn assemble(
+        model: M,
+        lanes: impl FnOnce(usize, &Shape, &Pattern) -> Box<dyn Pass<M>>,
+        rows: impl FnOnce(&Shape, &super::record::Recorded, &Pattern) -> Box<dyn Pass<M>>,
+    ) -> Result<Self, ModelError> {
+        let shape = model.shape().clone();
+        let mut second_order = vec![true; shape.n()];
+        let (pattern, pass, row_second_order): (_, _, Vec<bool>) = if let Some(n) = M::WHOLE {
+            let (pattern, second_order) = trace_whole(&model, &shape);
+            let pass = lanes(n, &shape, &pattern);
+            (pattern, pass, second_order)
+        } else {
+            let recorded = record_rows(&model, &shape)?;
+            let pattern = pattern_of(&shape, &recorded);
+            let pass = rows(&shape, &recorded, &pattern);
+            (pattern, pass, recorded.rows.iter().map(|reads| reads.second_order).collect())
+        };
+        for (row, has) in row_second_order.into_iter().enumerate() {
+            second_order[shape.variable_of_row(row)] = has;
+        }
+        Ok(AdProblem { model, shape, pattern, pass, second_order })
+    }
+
+    /// The model.
+    pub fn model(&self) -> &M {
+        &self.model
+    }
+
+    /// Bounds, start and parameters of this problem, to be changed between solves:
+    /// [`Shape::set_bounds`], [`Shape::set_start`], [`Shape::set_parameter`].
+    pub fn shape_mut(&mut self) -> &mut Shape {
+        &mut self.shape
+    }
+
+    /// Whether all second derivatives exist.
+    ///
+    /// # Errors
+    /// [`ModelError::NoSecondOrder`] names the first equation that calls an
+    /// [`external`](crate::external()) function.
+    pub fn check_second_order(&self) -> Result<(), ModelError> {
+        match self.second_order.iter().position(|has| !has) {
+            Some(i) => Err(ModelError::NoSecondOrder { equation: self.shape.equation_name(i) }),
+            None => Ok(()),
+        }
+    }
+
+    /// Operations of one evaluation of `F` (all rows and definitions, each once).
+    pub fn operations(&self) -> OperationCounts {
+        let tally = Tally::new();
+        let variable = |&z: &f64| Real(tally.variable(z));
+        let z: Vec<Real<Counted<'_>>> = self.shape.start().iter().map(variable).collect();
+        let parameters: Vec<_> =
+            self.shape.parameter_values().iter().map(|&p| Real::from(p)).collect();
+        evaluate_all(&self.model, &self.shape, &z, &parameters);
+        tally.counts()
+    }
+
+    /// `∂F_i/∂p_k` of all equations by all parameters at `z`: `n` rows of `m` numbers, row by row.
+    ///
+    /// # Errors
+    /// [`ModelError::Length`] if `z` does not have `n` entries.
+    pub fn parameter_jacobian(&self, z: &[f64]) -> Result<Vec<f64>, ModelError> {
+        type Chunk = Jet<8>;
+        let (n, values) = (self.shape.n(), self.shape.parameter_values());
+        if z.len() != n {
+            return Err(ModelError::Length { what: "z".to_owned(), expected: n, found: z.len() });
+        }
+        let m = values.len();
+        let mut jacobian = vec![0.0; n * m];
+        let z: Vec<Real<Chunk>> = z.iter().map(|&z| Real::from(z)).collect();
+        for first in (0..m).step_by(Chunk::LANES) {
+            let seed = |(k, &p): (usize, &f64)| Real(Chunk::seed(p, k.wrapping_sub(first)));
+            let parameters: Vec<Real<Chunk>> = values.iter().enumerate().map(seed).collect();
+            for (row, f) in evaluate_all(&self.model, &self.shape, &z, &parameters).iter().enumerate()
+            {
+                let i = self.shape.variable_of_row(row);
+                for k in first..m.min(first + Chunk::LANES) {
+                    jacobian[i * m + k] = f.0.tangent(k - first);
+                }
+            }
+        }
+        Ok(jacobian)
+    }
+}
+
+/// All rows in the order of declaration, in any arithmetic, with definitions evaluated once.
+fn evaluate_all<M: Model, D: Scalar>(
+    model: &M,
+    shape: &Shape,
+    z: &[Real<D>],
+    parameters: &[Real<D>],
+) -> Vec<Real<D>> {
+    let mut definitions: Vec<Real<D>> = Vec::with_capacity(shape.definition_count());
+    for (family, members) in shape.definitions().iter().enumerate() {
+        for index in 0..members.len() {
+            let value = model.def(family, index, &Reader::lanes(z, &definitions, parameters));
+            definitions.push(value);
+        }
+    }
+    let mut f = vec![Real(D::constant(0.0)); shape.row_count()];
+    model.whole(&Reader::lanes(z, &definitions, parameters), &mut f);
+    f
+}
+
+impl<M: Model> Problem for AdProblem<M> {
+    fn shape(&self) -> &Shape {
+        &self.shape
+    }
+
+    fn pattern(&self) -> &Pattern {
+        &self.pattern
+    }
+
+    fn evaluate(&mut self, z: &[f64], f: Option<&mut [f64]>, jac: Option<&mut [f64]>) {
+        let parameters = self.shape.parameter_values();
+        match (f, jac) {
+            (f, Some(jac)) => {
+                self.pass.jacobian(&self.model, (z, parameters), &self.pattern, f, jac);
+            }
+            (Some(f), None) => self.pass.residual(&self.model, z, parameters, f),
+            (None, None) => {}
+        }
+    }
+}
+
+#[cfg(test)]
+#[path = "ad_tests.rs"]
+mod tests;

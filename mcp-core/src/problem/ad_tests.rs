@@ -1,0 +1,197 @@
+use super::*;
+use crate::model::{Definition, Equation, Parameter, Set, Variable};
+use crate::scalar::{external, sum};
+
+/// `price = a − Σq` is a definition, `markup[i] = price · q[i]` another that reads it;
+/// `F_i = c_i + q_i² − price + markup_i`, and one wide equation `s − Σ q_i³` for `s`.
+struct Market {
+    shape: Shape,
+    n: usize,
+}
+
+fn market(n: usize) -> Market {
+    let firms = Set::count("firms", n);
+    let shape = Shape::builder()
+        .variable(Variable::new("s").start(0.5))
+        .variable(Variable::new("q").over(&[&firms]).lower(0.0).start(0.25))
+        .equation(Equation::new("profit").over(&[&firms]).complements("q"))
+        .equation(Equation::new("total").complements("s"))
+        .definition(Definition::new("price"))
+        .definition(Definition::new("markup").over(&[&firms]))
+        .parameter(Parameter::new("a", 10.0))
+        .parameter(Parameter::new("c", (0..n).map(|i| i as f64).collect::<Vec<_>>()).over(&[&firms]))
+        .build()
+        .unwrap();
+    Market { shape, n }
+}
+
+impl Model for Market {
+    fn shape(&self) -> &Shape {
+        &self.shape
+    }
+    fn def<D: Scalar>(&self, family: usize, i: usize, read: &Reader<'_, D>) -> Real<D> {
+        match family {
+            0 => read.param(0) - sum(1..=self.n, |j| read.var(j)),
+            _ => read.def(0) * read.var(1 + i),
+        }
+    }
+    fn row<D: Scalar>(&self, family: usize, i: usize, read: &Reader<'_, D>) -> Real<D> {
+        match family {
+            0 => read.param(1 + i) + read.var(1 + i).powi(2) - read.def(0) + read.def(1 + i),
+            _ => read.var(0) - sum(1..=self.n, |j| read.var(j).powi(3)),
+        }
+    }
+}
+
+/// The same by hand: `(F, J)` with `J` dense, row by row.
+fn by_hand(n: usize, z: &[f64]) -> (Vec<f64>, Vec<Vec<f64>>) {
+    let price = 10.0 - z[1..].iter().sum::<f64>();
+    let mut f = vec![z[0] - z[1..].iter().map(|q| q.powi(3)).sum::<f64>()];
+    let mut first = vec![1.0];
+    first.extend(z[1..].iter().map(|q| -3.0 * q * q));
+    let mut jac = vec![first];
+    for i in 0..n {
+        let q = z[1 + i];
+        f.push(i as f64 + q * q - price + price * q);
+        let mut row = vec![0.0];
+        row.extend((0..n).map(|j| 1.0 - q + if i == j { 2.0 * q + price } else { 0.0 }));
+        jac.push(row);
+    }
+    (f, jac)
+}
+
+#[test]
+fn rows_with_definitions_agree_with_the_formulas_at_every_lane_count() {
+    for n in [1, 2, 3, 7, 15, 16, 17, 40] {
+        let mut problem = AdProblem::new(market(n)).unwrap();
+        let z: Vec<f64> = (0..=n).map(|j| 0.1 + j as f64 / 8.0).collect();
+        let (mut f, mut jac) = (vec![0.0; n + 1], vec![0.0; problem.pattern().nnz()]);
+        problem.evaluate(&z, Some(&mut f), Some(&mut jac));
+        let (f_hand, jac_hand) = by_hand(n, &z);
+        for i in 0..=n {
+            assert!((f[i] - f_hand[i]).abs() <= 1e-13 * (1.0 + f_hand[i].abs()), "n = {n}, F_{i}");
+            for j in 0..=n {
+                let entry = problem.pattern().position(i, j).map_or(0.0, |k| jac[k]);
+                assert!((entry - jac_hand[i][j]).abs() <= 1e-13, "n = {n}, J_{i}{j}");
+            }
+        }
+        let mut alone = vec![0.0; n + 1];
+        problem.evaluate(&z, Some(&mut alone), None);
+        assert_eq!(f, alone, "F alone has the same bits as F with J");
+    }
+}
+
+#[test]
+fn the_pattern_goes_through_definitions_and_leaves_out_what_is_not_read() {
+    let problem = AdProblem::new(market(3)).unwrap();
+    assert_eq!(problem.pattern().position(1, 0), None, "profit does not read s");
+    assert!(problem.pattern().position(1, 3).is_some(), "profit reads q[3] through price");
+    assert!(problem.pattern().position(0, 0).is_some());
+    assert_eq!(problem.pattern().nnz(), 4 + 9);
+}
+
+#[test]
+fn parameters_are_reads_and_can_be_changed_and_differentiated() {
+    let mut problem = AdProblem::new(market(2)).unwrap();
+    let z = [0.0, 1.0, 2.0];
+    let mut f = [0.0; 3];
+    problem.evaluate(&z, Some(&mut f), None);
+    let before = f[1];
+    // F_1 = c_1 + q² − price + price q with price = a − Σq: ∂F_1/∂a = q_1 − 1 = 0, ∂F_2/∂a = 1.
+    let by_parameters = problem.parameter_jacobian(&z).unwrap();
+    assert_eq!(by_parameters, [0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 1.0, 0.0, 1.0]);
+    problem.shape_mut().set_parameter("c", &[5.0, 0.0]).unwrap();
+    problem.evaluate(&z, Some(&mut f), None);
+    assert_eq!(f[1], before + 5.0);
+}
+
+struct Faulty(Shape, usize);
+
+impl Model for Faulty {
+    fn shape(&self) -> &Shape {
+        &self.0
+    }
+    fn def<D: Scalar>(&self, _: usize, index: usize, read: &Reader<'_, D>) -> Real<D> {
+        read.def(index + self.1)
+    }
+    fn row<D: Scalar>(&self, _: usize, _: usize, read: &Reader<'_, D>) -> Real<D> {
+        read.var(self.1)
+    }
+}
+
+#[test]
+fn reads_that_point_nowhere_are_errors_with_names() {
+    let one = || {
+        Shape::builder()
+            .variable(Variable::new("x"))
+            .equation(Equation::new("balance").complements("x"))
+    };
+    let error = AdProblem::new(Faulty(one().build().unwrap(), 3)).err().unwrap();
+    assert_eq!(error.to_string(), "`balance` reads variable number 3, but there are only 1");
+    let shape = one().definition(Definition::new("cost")).build().unwrap();
+    let error = AdProblem::new(Faulty(shape, 0)).err().unwrap();
+    assert_eq!(error.to_string(), "definition `cost` reads `cost`, which is not defined before it");
+}
+
+struct Table(Shape);
+
+impl Model for Table {
+    fn shape(&self) -> &Shape {
+        &self.0
+    }
+    fn def<D: Scalar>(&self, _: usize, _: usize, read: &Reader<'_, D>) -> Real<D> {
+        external(&[read.var(1)], |v, gradient| {
+            gradient[0] = 2.0 * v[0];
+            v[0] * v[0]
+        })
+    }
+    fn row<D: Scalar>(&self, family: usize, _: usize, read: &Reader<'_, D>) -> Real<D> {
+        if family == 0 { read.var(0) - 1.0 } else { read.def(0) * read.var(0) - 4.0 }
+    }
+}
+
+#[test]
+fn equations_with_external_functions_are_named_where_second_order_is_needed() {
+    let shape = Shape::builder()
+        .variable(Variable::new("x"))
+        .variable(Variable::new("y").start(3.0))
+        .equation(Equation::new("first").complements("x"))
+        .equation(Equation::new("second").complements("y"))
+        .definition(Definition::new("table"))
+        .build()
+        .unwrap();
+    let mut problem = AdProblem::new(Table(shape)).unwrap();
+    let error = problem.check_second_order().unwrap_err();
+    assert_eq!(
+        error.to_string(),
+        "equation `second` calls an external function, which has no second derivatives"
+    );
+    let mut jac = vec![0.0; problem.pattern().nnz()];
+    problem.evaluate(&[2.0, 3.0], None, Some(&mut jac));
+    assert_eq!(jac[problem.pattern().position(1, 1).unwrap()], 12.0);
+}
+
+#[test]
+fn operations_are_counted_with_definitions_once() {
+    let problem = AdProblem::new(market(2)).unwrap();
+    let counts = problem.operations();
+    // price: 2 additions; markup: 2 products; profit: 3 additions and 1 product each;
+    // total: 2 additions, 2 cubes of 2 products.
+    assert_eq!((counts.additions, counts.multiplications), (2 + 6 + 2, 2 + 2 + 4));
+    assert_eq!(counts.total(), counts.additions + counts.multiplications);
+}
+
+#[test]
+fn a_fixed_variable_without_equation_has_an_empty_row() {
+    let shape = Shape::builder()
+        .variable(Variable::new("x").fixed(1.0))
+        .variable(Variable::new("y"))
+        .equation(Equation::new("balance").complements("y"))
+        .build()
+        .unwrap();
+    let mut problem = AdProblem::new(Faulty(shape, 0)).unwrap();
+    let (mut f, mut jac) = (vec![7.0; 2], vec![0.0; 1]);
+    problem.evaluate(&[1.0, 5.0], Some(&mut f), Some(&mut jac));
+    assert_eq!(f, [0.0, 1.0]);
+    assert_eq!(problem.pattern().position(1, 0), Some(0));
+}

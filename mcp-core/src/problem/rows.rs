@@ -1,0 +1,315 @@
+//! Derivatives row by row: a row carries only the lanes of what it reads.
+
+use super::Pattern;
+use super::ad::Pass;
+use super::record::{Recorded, RowReads, all_rows, support_of};
+use crate::model::{Family, Model, Point, Reader, Row, Shape, Slots};
+use crate::scalar::{Jet, Scalar};
+use std::marker::PhantomData;
+use std::ops::Range;
+
+/// The slot of a number that the row at hand does not read: it carries no tangent.
+const NO_LANE: u32 = u32::MAX;
+
+/// Chooses the arithmetic for a row with a given number of lanes.
+pub(super) trait LaneChoice {
+    /// Evaluates `row`, gives the derivative in each lane to `put` in order, returns the value.
+    fn evaluate<M: Model>(row: &LocalRow<'_, M>, put: &mut impl FnMut(usize, f64)) -> f64;
+}
+
+/// [`Jet`] with the smallest sufficient number of lanes.
+pub(super) struct JetLanes;
+
+impl LaneChoice for JetLanes {
+    fn evaluate<M: Model>(row: &LocalRow<'_, M>, put: &mut impl FnMut(usize, f64)) -> f64 {
+        match row.lanes {
+            0 => row.value(),
+            1 => row.evaluate::<Jet<1>>(put),
+            2 => row.evaluate::<Jet<2>>(put),
+            3..=4 => row.evaluate::<Jet<4>>(put),
+            5..=8 => row.evaluate::<Jet<8>>(put),
+            _ => row.evaluate::<Jet<16>>(put),
+        }
+    }
+}
+
+#[derive(Clone, Copy)]
+enum Kind {
+    Equation,
+    Definition,
+}
+
+/// One equation or definition at a point, with the lanes of what it reads.
+pub(super) struct LocalRow<'a, M> {
+    model: &'a M,
+    kind: Kind,
+    row: Row,
+    point: Point<'a>,
+    slots: Slots<'a>,
+    lanes: usize,
+}
+
+impl<M: Model> LocalRow<'_, M> {
+    fn run<D: Scalar>(&self, read: &Reader<'_, D>) -> D {
+        let Row { family, index } = self.row;
+        match self.kind {
+            Kind::Equation => self.model.row(family, index, read).0,
+            Kind::Definition => self.model.def(family, index, read).0,
+        }
+    }
+
+    fn value(&self) -> f64 {
+        self.run::<f64>(&Reader::plain(self.point))
+    }
+
+    /// One evaluation for every `D::LANES` lanes.
+    pub(super) fn evaluate<D: Scalar>(&self, put: &mut impl FnMut(usize, f64)) -> f64 {
+        let mut first = 0;
+        loop {
+            let result = self.run(&Reader::<D>::local(self.point, self.slots, small(first)));
+            for k in first..self.lanes.min(first + D::LANES) {
+                put(k, result.tangent(k - first));
+            }
+            first += D::LANES;
+            if first >= self.lanes {
+                return result.value();
+            }
+        }
+    }
+}
+
+fn small(k: usize) -> u32 {
+    u32::try_from(k).expect("fewer than 2^32 structural nonzeros")
+}
+
+/// What one row reads, as ranges into the lists of [`Plan`].
+#[derive(Clone, Debug)]
+struct RowPlan {
+    row: Row,
+    /// Variables read: their lanes come first.
+    variables: Range<usize>,
+    /// Definitions read: their lanes follow.
+    definitions: Range<usize>,
+    /// Where derivatives are added up: one target for each variable read, then, for each definition
+    /// read, one for each variable of its support.
+    targets: Range<usize>,
+}
+
+/// Who reads what and where derivatives go; fixed for a problem.
+#[derive(Debug, Default)]
+struct Plan {
+    equations: Vec<RowPlan>,
+    definitions: Vec<RowPlan>,
+    variable_of_row: Vec<usize>,
+    variables_read: Vec<u32>,
+    definitions_read: Vec<u32>,
+    /// Positions in the Jacobian for equations, in the own gradient for definitions.
+    targets: Vec<u32>,
+    /// Where the gradient of each definition stands among all.
+    gradient_of: Vec<Range<usize>>,
+}
+
+impl Plan {
+    fn new(shape: &Shape, recorded: &Recorded, pattern: &Pattern) -> Self {
+        let supports = &recorded.definition_supports;
+        let mut plan = Plan {
+            variable_of_row: (0..shape.row_count()).map(|r| shape.variable_of_row(r)).collect(),
+            ..Plan::default()
+        };
+        let rows = all_rows(shape.definitions().iter().map(Family::len));
+        for (k, (row, reads)) in rows.into_iter().zip(&recorded.definitions).enumerate() {
+            let place = |j| supports[k].binary_search(&j).expect("in the support");
+            let row = plan.row(row, reads, supports, place);
+            plan.definitions.push(row);
+            let start = plan.gradient_of.last().map_or(0, |range| range.end);
+            plan.gradient_of.push(start..start + supports[k].len());
+        }
+        let rows = all_rows(shape.equations().map(Family::len));
+        for (number, (row, reads)) in rows.into_iter().zip(&recorded.rows).enumerate() {
+            let i = plan.variable_of_row[number];
+            let place = |j| pattern.position(i, j).expect("the pattern has every support");
+            let row = plan.row(row, reads, supports, place);
+            plan.equations.push(row);
+        }
+        plan
+    }
+
+    /// Appends what a row reads and where its derivatives go.
+    fn row(
+        &mut self,
+        row: Row,
+        reads: &RowReads,
+        supports: &[Vec<usize>],
+        place: impl Fn(usize) -> usize,
+    ) -> RowPlan {
+        let from = (self.variables_read.len(), self.definitions_read.len(), self.targets.len());
+        self.variables_read.extend(reads.variables.iter().map(|&j| small(j)));
+        self.definitions_read.extend(reads.definitions.iter().map(|&d| small(d)));
+        self.targets.extend(reads.variables.iter().map(|&j| small(place(j))));
+        for &d in &reads.definitions {
+            self.targets.extend(supports[d].iter().map(|&j| small(place(j))));
+        }
+        RowPlan {
+            row,
+            variables: from.0..self.variables_read.len(),
+            definitions: from.1..self.definitions_read.len(),
+            targets: from.2..self.targets.len(),
+        }
+    }
+
+    /// Value of a row; its derivatives by variables are added to the row's targets in `gradient`.
+    /// `known` are the gradients of the definitions it may read.
+    fn differentiate<L: LaneChoice, M: Model>(
+        &self,
+        (model, kind, plan): (&M, Kind, &RowPlan),
+        point: Point<'_>,
+        slots: &mut SlotTable,
+        known: &[f64],
+        gradient: &mut [f64],
+    ) -> f64 {
+        let variables = &self.variables_read[plan.variables.clone()];
+        let definitions = &self.definitions_read[plan.definitions.clone()];
+        let targets = &self.targets[plan.targets.clone()];
+        slots.assign(variables, definitions);
+        let lanes = variables.len() + definitions.len();
+        let row = LocalRow { model, kind, row: plan.row, point, slots: slots.view(), lanes };
+        let mut used = variables.len();
+        let value = L::evaluate(&row, &mut |lane, derivative| {
+            if lane < variables.len() {
+                gradient[targets[lane] as usize] += derivative;
+                return;
+            }
+            // ∂f/∂d · ∂d/∂z; lanes arrive in order, and so do their targets.
+            let support = self.gradient_of[definitions[lane - variables.len()] as usize].clone();
+            for (&target, &by_variable) in targets[used..].iter().zip(&known[support.clone()]) {
+                if by_variable != 0.0 {
+                    gradient[target as usize] += derivative * by_variable;
+                }
+            }
+            used += support.len();
+        });
+        slots.clear(variables, definitions);
+        value
+    }
+}
+
+/// The lane of every variable and definition that the row at hand reads.
+#[derive(Debug)]
+struct SlotTable {
+    variables: Vec<u32>,
+    definitions: Vec<u32>,
+}
+
+impl SlotTable {
+    fn assign(&mut self, variables: &[u32], definitions: &[u32]) {
+        let mut lane = 0;
+        for &j in variables {
+            self.variables[j as usize] = lane;
+            lane += 1;
+        }
+        for &d in definitions {
+            self.definitions[d as usize] = lane;
+            lane += 1;
+        }
+    }
+
+    fn clear(&mut self, variables: &[u32], definitions: &[u32]) {
+        for &j in variables {
+            self.variables[j as usize] = NO_LANE;
+        }
+        for &d in definitions {
+            self.definitions[d as usize] = NO_LANE;
+        }
+    }
+
+    fn view(&self) -> Slots<'_> {
+        Slots { variables: &self.variables, definitions: &self.definitions }
+    }
+}
+
+/// Workspace of row-by-row evaluation with lanes chosen by `L`.
+pub(super) struct Rows<L> {
+    plan: Plan,
+    slots: SlotTable,
+    definition_values: Vec<f64>,
+    /// Gradients of all definitions by the variables of their supports, one after the other.
+    gradients: Vec<f64>,
+    choice: PhantomData<L>,
+}
+
+impl<L> Rows<L> {
+    pub(super) fn new(shape: &Shape, recorded: &Recorded, pattern: &Pattern) -> Self {
+        let plan = Plan::new(shape, recorded, pattern);
+        let definitions = plan.definitions.len();
+        Rows {
+            slots: SlotTable {
+                variables: vec![NO_LANE; shape.n()],
+                definitions: vec![NO_LANE; definitions],
+            },
+            definition_values: vec![0.0; definitions],
+            gradients: vec![0.0; plan.gradient_of.last().map_or(0, |range| range.end)],
+            plan,
+            choice: PhantomData,
+        }
+    }
+}
+
+/// Pattern of the Jacobian: for every row the union of what it reads and of the supports of the
+/// definitions it reads.
+pub(super) fn pattern_of(shape: &Shape, recorded: &Recorded) -> Pattern {
+    let mut row_columns = vec![Vec::new(); shape.n()];
+    for (row, reads) in recorded.rows.iter().enumerate() {
+        row_columns[shape.variable_of_row(row)] = support_of(reads, &recorded.definition_supports);
+    }
+    Pattern::from_rows(&row_columns)
+}
+
+impl<M: Model, L: LaneChoice> Pass<M> for Rows<L> {
+    fn residual(&mut self, model: &M, z: &[f64], parameters: &[f64], f: &mut [f64]) {
+        for (k, plan) in self.plan.definitions.iter().enumerate() {
+            let point = Point { z, definitions: &self.definition_values, parameters };
+            let read = Reader::<f64>::plain(point);
+            self.definition_values[k] = model.def(plan.row.family, plan.row.index, &read).0;
+        }
+        let point = Point { z, definitions: &self.definition_values, parameters };
+        let read = Reader::<f64>::plain(point);
+        if f.len() > self.plan.equations.len() {
+            f.fill(0.0);
+        }
+        for (plan, &i) in self.plan.equations.iter().zip(&self.plan.variable_of_row) {
+            f[i] = model.row(plan.row.family, plan.row.index, &read).0;
+        }
+    }
+
+    fn jacobian(
+        &mut self,
+        model: &M,
+        (z, parameters): (&[f64], &[f64]),
+        _pattern: &Pattern,
+        mut f: Option<&mut [f64]>,
+        jac: &mut [f64],
+    ) {
+        let Rows { plan, slots, definition_values, gradients, .. } = self;
+        gradients.fill(0.0);
+        for (k, row) in plan.definitions.iter().enumerate() {
+            let (known, own) = gradients.split_at_mut(plan.gradient_of[k].start);
+            let point = Point { z, definitions: definition_values, parameters };
+            let row = (model, Kind::Definition, row);
+            definition_values[k] = plan.differentiate::<L, M>(row, point, slots, known, own);
+        }
+        jac.fill(0.0);
+        if let Some(f) = &mut f
+            && f.len() > plan.equations.len()
+        {
+            f.fill(0.0);
+        }
+        let point = Point { z, definitions: definition_values, parameters };
+        for (row, &i) in plan.equations.iter().zip(&plan.variable_of_row) {
+            let row = (model, Kind::Equation, row);
+            let value = plan.differentiate::<L, M>(row, point, slots, gradients, jac);
+            if let Some(f) = &mut f {
+                f[i] = value;
+            }
+        }
+    }
+}

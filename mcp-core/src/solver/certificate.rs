@@ -1,0 +1,288 @@
+//! [`Certificate`]: the one judge of solutions.
+//!
+//! It evaluates `F` and `J` itself, at the returned point, and shares no code with the solvers.
+//!
+//! ```text
+//! natural residual    r = max_i | mid(z_i − l_i,  F_i,  z_i − u_i) |
+//! relative residual   e = max_i | mid((z_i − l_i)/w_i,  F_i/s_i,  (z_i − u_i)/w_i) |
+//!                     w_j = |z_j| + τ_j,    s_i = Σ_j |J_ij| w_j
+//! ```
+//!
+//! `r` has the units of the model: it accepts wrong points where `F` is in small units and can
+//! never accept right ones where it is in large units. `e` has none: `s_i` is the size of the terms
+//! of `F_i`, so scaling an equation or a variable changes neither. `τ_j` says what counts as small
+//! for variable `j`: the column scale of the equilibrated `J(z)`, in binary exponents, with its free
+//! scalar fixed by the magnitudes of `z` (at least 10⁻⁴ of those of the start). Cost: one pass and a
+//! few sweeps over the nonzeros.
+
+use crate::problem::{Pattern, Problem};
+
+/// What was found at a point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Certificate {
+    /// `max_i |mid(z_i − l_i, F_i, z_i − u_i)|`, in the units of the model; NaN if `F` is.
+    pub natural_residual: f64,
+    /// Variable of the largest natural residual; its equation is the worst one.
+    pub worst: usize,
+    /// Row-relative residual, without units; NaN if `F` or `J` is not finite.
+    pub relative_residual: f64,
+    /// Variable of the largest relative residual.
+    pub worst_relative: usize,
+    /// Largest violation of a bound; 0 for every point a solver returns.
+    pub bound_violation: f64,
+    /// Whether `F` and `J` are finite.
+    pub is_finite: bool,
+    /// An equation that must hold but no longer depends on any variable: all its derivatives are
+    /// zero.
+    pub vanishing_row: Option<usize>,
+    /// A variable beyond 10¹² times its start (or 1).
+    pub diverging: Option<usize>,
+}
+
+/// What a certificate means for given tolerances.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Verdict {
+    /// A solution.
+    Accepted,
+    /// Small residuals at a point that looks like a solution at infinity.
+    Asymptotic,
+    /// Not a solution.
+    Refused,
+}
+
+impl Certificate {
+    /// Before anything was judged.
+    pub(crate) fn nothing() -> Self {
+        Certificate {
+            natural_residual: f64::NAN,
+            worst: 0,
+            relative_residual: f64::NAN,
+            worst_relative: 0,
+            bound_violation: 0.0,
+            is_finite: false,
+            vanishing_row: None,
+            diverging: None,
+        }
+    }
+
+    /// The definition of a solution: in the box, `F` and `J` finite, `e <= tol_relative`, and
+    /// `r <= tol` if an absolute tolerance is set.
+    ///
+    /// A vanishing row or a diverging variable makes it asymptotic; there the relative residual
+    /// means nothing and is not asked for.
+    pub fn verdict(&self, tol: Option<f64>, tol_relative: f64) -> Verdict {
+        let in_box = self.bound_violation <= 0.0;
+        let absolute = tol.is_none_or(|tol| self.natural_residual <= tol);
+        if !(in_box && self.is_finite && absolute) {
+            Verdict::Refused
+        } else if self.vanishing_row.is_some() || self.diverging.is_some() {
+            Verdict::Asymptotic
+        } else if self.relative_residual <= tol_relative {
+            Verdict::Accepted
+        } else {
+            Verdict::Refused
+        }
+    }
+}
+
+/// Judges `z`: computes `F` and `J` there and measures. `z` must have `n` entries.
+///
+/// ```
+/// use mcp_core::{AdProblem, certify, Verdict};
+/// # use mcp_core::{Equation, Model, Reader, Real, Scalar, Shape, Variable};
+/// # struct Line(Shape);
+/// # impl Model for Line {
+/// #     fn shape(&self) -> &Shape { &self.0 }
+/// #     fn row<D: Scalar>(&self, _: usize, _: usize, read: &Reader<'_, D>) -> Real<D> {
+/// #         2.0 * read.var(0) - 4.0
+/// #     }
+/// # }
+/// # let shape = Shape::builder().variable(Variable::new("x").lower(0.0))
+/// #     .equation(Equation::new("f").complements("x")).build()?;
+/// let mut problem = AdProblem::new(Line(shape))?; // 2x − 4 ⟂ x >= 0
+/// assert_eq!(certify(&mut problem, &[2.0]).verdict(None, 1e-8), Verdict::Accepted);
+/// assert_eq!(certify(&mut problem, &[2.1]).verdict(None, 1e-8), Verdict::Refused);
+/// # Ok::<(), mcp_core::ModelError>(())
+/// ```
+pub fn certify(problem: &mut dyn Problem, z: &[f64]) -> Certificate {
+    let mut certifier = Certifier::default();
+    certifier.resize(problem.shape().n(), problem.pattern().nnz());
+    certifier.judge(problem, z)
+}
+
+/// Workspace of the judge.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Certifier {
+    f: Vec<f64>,
+    jac: Vec<f64>,
+    row_scale: Vec<i32>,
+    column_scale: Vec<i32>,
+    row_max: Vec<i32>,
+    column_max: Vec<i32>,
+    weight: Vec<f64>,
+    row_size: Vec<f64>,
+}
+
+/// Exponent for "no nonzero seen yet".
+const NONE: i32 = i32::MIN / 4;
+
+impl Certifier {
+    pub(crate) fn resize(&mut self, n: usize, nnz: usize) {
+        self.f.resize(n, 0.0);
+        self.jac.resize(nnz, 0.0);
+        for scale in
+            [&mut self.row_scale, &mut self.column_scale, &mut self.row_max, &mut self.column_max]
+        {
+            scale.resize(n, 0);
+        }
+        self.weight.resize(n, 0.0);
+        self.row_size.resize(n, 0.0);
+    }
+
+    /// `F` at the point judged last.
+    pub(crate) fn f(&self) -> &[f64] {
+        &self.f
+    }
+
+    pub(crate) fn judge(&mut self, problem: &mut dyn Problem, z: &[f64]) -> Certificate {
+        problem.evaluate(z, Some(&mut self.f), Some(&mut self.jac));
+        let (shape, pattern) = (problem.shape(), problem.pattern());
+        let (lower, upper) = (shape.bounds().lower(), shape.bounds().upper());
+        let is_finite = all_finite(&self.f) && all_finite(&self.jac) && all_finite(z);
+        if is_finite {
+            self.equilibrate(pattern);
+            self.weigh(z, shape.start());
+            self.size_rows(pattern);
+        }
+
+        let relative_residual = if is_finite { 0.0 } else { f64::NAN };
+        let mut certificate = Certificate {
+            natural_residual: 0.0,
+            relative_residual,
+            is_finite,
+            ..Certificate::nothing()
+        };
+        for i in 0..z.len() {
+            let (above, below, f) = (z[i] - lower[i], z[i] - upper[i], self.f[i]);
+            let natural = middle(above, f, below).abs();
+            // `!(<=)` also takes NaN, which then stays the worst.
+            if !(natural <= certificate.natural_residual) {
+                certificate.natural_residual = natural;
+                certificate.worst = i;
+            }
+            if natural.is_nan() {
+                break;
+            }
+            certificate.bound_violation = certificate.bound_violation.max(-above).max(below);
+            if z[i].abs() > 1e12 * shape.start()[i].abs().max(1.0) {
+                certificate.diverging.get_or_insert(i);
+            }
+            if !is_finite {
+                continue;
+            }
+            let (w, s) = (self.weight[i], self.row_size[i]);
+            let f_relative = if f == 0.0 { 0.0 } else { f / s };
+            let relative = middle(above / w, f_relative, below / w).abs();
+            if !(relative <= certificate.relative_residual) {
+                certificate.relative_residual = relative;
+                certificate.worst_relative = i;
+            }
+            let must_hold = above > f && below < f;
+            if must_hold && s == 0.0 {
+                certificate.vanishing_row.get_or_insert(i);
+            }
+        }
+        certificate
+    }
+
+    /// Binary exponents of row and column scales that bring the largest entry of every row and
+    /// column of `J` near 1 ([Rui01], in integers; at most ten sweeps).
+    fn equilibrate(&mut self, pattern: &Pattern) {
+        self.row_scale.fill(0);
+        self.column_scale.fill(0);
+        for _ in 0..10 {
+            self.row_max.fill(NONE);
+            self.column_max.fill(NONE);
+            for j in 0..pattern.n() {
+                for k in pattern.column(j) {
+                    let i = pattern.rows()[k];
+                    if self.jac[k] != 0.0 {
+                        let e = exponent(self.jac[k]) + self.row_scale[i] + self.column_scale[j];
+                        self.row_max[i] = self.row_max[i].max(e);
+                        self.column_max[j] = self.column_max[j].max(e);
+                    }
+                }
+            }
+            let mut balanced = true;
+            let rows = self.row_scale.iter_mut().zip(&self.row_max);
+            let columns = self.column_scale.iter_mut().zip(&self.column_max);
+            for (scale, &max) in rows.chain(columns) {
+                if max != NONE {
+                    *scale -= max / 2;
+                    balanced &= max.abs() <= 1;
+                }
+            }
+            if balanced {
+                break;
+            }
+        }
+    }
+
+    /// `w_j = |z_j| + τ_j`.
+    fn weigh(&mut self, z: &[f64], start: &[f64]) {
+        let magnitude = |z: &[f64]| {
+            let (mut sum, mut count) = (0_i64, 0_i64);
+            for (&z, &scale) in z.iter().zip(&self.column_scale) {
+                if z != 0.0 && z.is_finite() {
+                    sum += i64::from(exponent(z) - scale);
+                    count += 1;
+                }
+            }
+            (count > 0).then(|| sum / count)
+        };
+        // 2^-13 is about 10⁻⁴.
+        let gauge = match (magnitude(z), magnitude(start)) {
+            (Some(at_z), Some(at_start)) => at_z.max(at_start - 13),
+            (Some(gauge), None) | (None, Some(gauge)) => gauge,
+            (None, None) => 0,
+        };
+        for ((weight, &z), &scale) in self.weight.iter_mut().zip(z).zip(&self.column_scale) {
+            let exponent = (gauge + i64::from(scale)).clamp(-1000, 1000);
+            *weight = z.abs() + 2_f64.powi(exponent as i32);
+        }
+    }
+
+    /// `s_i = Σ_j |J_ij| w_j`.
+    fn size_rows(&mut self, pattern: &Pattern) {
+        self.row_size.fill(0.0);
+        for j in 0..pattern.n() {
+            for k in pattern.column(j) {
+                self.row_size[pattern.rows()[k]] += self.jac[k].abs() * self.weight[j];
+            }
+        }
+    }
+}
+
+/// The middle of three numbers with `below <= above`; NaN if any is.
+fn middle(above: f64, f: f64, below: f64) -> f64 {
+    if f.is_nan() || above.is_nan() || below.is_nan() {
+        f64::NAN
+    } else {
+        above.min(below.max(f))
+    }
+}
+
+fn all_finite(values: &[f64]) -> bool {
+    values.iter().all(|v| v.is_finite())
+}
+
+/// `⌊log₂ |x|⌋` for a nonzero number.
+fn exponent(x: f64) -> i32 {
+    let biased = (x.to_bits() >> 52 & 0x7ff) as i32;
+    if biased > 0 { biased - 1023 } else { -1022 - (x.to_bits() << 12).leading_zeros() as i32 - 1 }
+}
+
+#[cfg(test)]
+#[path = "certificate_tests.rs"]
+mod tests;

@@ -1,0 +1,229 @@
+//! Solving: methods, their options, and what comes out.
+//!
+//! | method | direction | merit | reference |
+//! | --- | --- | --- | --- |
+//! | [`Method::NewtonFb`] | Newton on `Φ` | `½‖Φ‖²` | [FP03] VFBLSA, Siconos 700 |
+//! | [`Method::NewtonMinFb`] | Newton on the min map | `½‖Φ‖²` | [FP03] minFBLSA, Siconos 701 |
+//! | [`Method::OldFb`] | Newton on `Φ` | `½‖Φ‖²` | [KK98] Alg. 4.1, Siconos 710 |
+//!
+//! They are the three solvers of the Siconos page on mixed complementarity problems, with its
+//! documented defaults, extended to free, lower, upper, boxed and fixed variables in any order.
+//! None is scale-free: multiplying an equation or changing a unit changes their iterates.
+//!
+//! # Deliberate deviations from Siconos
+//!
+//! - A point is a solution if the independent [`Certificate`] says so; a criterion only ends the
+//!   loop, and if the certificate refuses, the iteration goes on.
+//! - NaN or infinite values are never accepted; at the start they are
+//!   [`Status::DomainError`], or variables at a bound are moved inside once.
+//! - A start that is a solution costs no iteration.
+//! - `φ` is evaluated without cancellation; the kink element uses `J ζ`, not `Jᵀ ζ`.
+//! - A singular system falls back to the gradient in all three methods.
+//! - The slope of the line search always belongs to the direction taken.
+//! - A failed line search ends the solve; so do 50 iterations without progress
+//!   ([`Options::stall`]).
+//! - The first step of a search is 1 ([`Armijo::first_step`](crate::Armijo)), not 2, and the full
+//!   step is not evaluated twice.
+//! - Non-monotone reference values are fed by every accepted step, never below the current merit.
+//! - The returned point lies inside the bounds, exactly.
+
+mod certificate;
+mod monitor;
+mod newton_fb;
+mod newton_min_fb;
+mod old_fb;
+mod options;
+mod run;
+mod solution;
+mod status;
+mod workspace;
+
+pub use certificate::{Certificate, Verdict, certify};
+pub use monitor::{Direction, Iteration, Monitor};
+pub use options::{Criterion, Descent, Method, Options, UnknownMethod};
+pub use solution::{DomainFault, NotSolved, Solution, Stats};
+pub use status::Status;
+
+use crate::error::ModelError;
+use crate::linalg::LinearSolver;
+use crate::model::Model;
+use crate::problem::{AdProblem, Problem};
+use run::Run;
+use std::ops::ControlFlow;
+use workspace::Workspace;
+
+/// Solves a model from its own start.
+///
+/// # Errors
+/// [`ModelError`] for input that is wrong before iteration 0. Not converging is a
+/// [`Status`] in the solution.
+pub fn solve<M: Model>(model: &M, options: &Options) -> Result<Solution, ModelError> {
+    let mut problem = AdProblem::new(model)?;
+    Solver::new(options.clone())?.solve(&mut problem).cloned()
+}
+
+/// Solves a model from `start`, moved into the bounds.
+///
+/// # Errors
+/// As [`solve`], and [`ModelError::Length`] or [`ModelError::StartNotFinite`] for the start.
+pub fn solve_from<M: Model>(
+    model: &M,
+    start: &[f64],
+    options: &Options,
+) -> Result<Solution, ModelError> {
+    let mut problem = AdProblem::new(model)?;
+    Solver::new(options.clone())?.solve_from(&mut problem, start).cloned()
+}
+
+/// A solver for many solves: it keeps its workspace, so that a second solve of the same pattern
+/// allocates nothing and repeats no symbolic work.
+///
+/// ```
+/// use mcp_core::{AdProblem, Method, Options, Solver};
+/// # use mcp_core::{Equation, Model, Parameter, Reader, Real, Scalar, Shape, Variable};
+/// # struct Demand(Shape);
+/// # impl Model for Demand {
+/// #     fn shape(&self) -> &Shape { &self.0 }
+/// #     fn row<D: Scalar>(&self, _: usize, _: usize, read: &Reader<'_, D>) -> Real<D> {
+/// #         read.var(0) - read.param(0)
+/// #     }
+/// # }
+/// # let shape = Shape::builder().variable(Variable::new("x").lower(0.0))
+/// #     .equation(Equation::new("f").complements("x")).parameter(Parameter::new("a", 1.0)).build()?;
+/// let mut problem = AdProblem::new(Demand(shape))?; // x − a ⟂ x >= 0
+/// let mut solver = Solver::new(Options::new(Method::NewtonFb))?;
+/// for a in [1.0, 2.0, 3.0] {
+///     problem.shape_mut().set_parameter("a", &[a])?;
+///     assert!((solver.solve(&mut problem)?.z[0] - a).abs() < 1e-9);
+/// }
+/// # Ok::<(), mcp_core::ModelError>(())
+/// ```
+pub struct Solver {
+    options: Options,
+    workspace: Option<Workspace>,
+    custom: Option<Box<dyn LinearSolver>>,
+    solution: Solution,
+}
+
+impl Solver {
+    /// A solver with these options.
+    ///
+    /// # Errors
+    /// [`ModelError::Option`] names an option out of range.
+    pub fn new(options: Options) -> Result<Self, ModelError> {
+        options.validate()?;
+        let solution = Solution {
+            z: Vec::new(),
+            f: Vec::new(),
+            status: Status::IterationLimit,
+            certificate: Certificate::nothing(),
+            stats: Stats::default(),
+            method: options.method,
+            fault: None,
+            start_was_moved: false,
+        };
+        Ok(Solver { options, workspace: None, custom: None, solution })
+    }
+
+    /// A solver that uses the caller's linear solver instead of [`Options::linear`].
+    ///
+    /// # Errors
+    /// As [`Solver::new`].
+    pub fn with_linear_solver(
+        options: Options,
+        linear: Box<dyn LinearSolver>,
+    ) -> Result<Self, ModelError> {
+        let mut solver = Self::new(options)?;
+        solver.custom = Some(linear);
+        Ok(solver)
+    }
+
+    /// The options.
+    pub fn options(&self) -> &Options {
+        &self.options
+    }
+
+    /// Solves from the problem's own start.
+    ///
+    /// # Errors
+    /// [`ModelError::Linear`] if the linear solver cannot take the problem.
+    pub fn solve(&mut self, problem: &mut dyn Problem) -> Result<&Solution, ModelError> {
+        self.run(problem, None, None)
+    }
+
+    /// Solves from `start`, moved into the bounds.
+    ///
+    /// # Errors
+    /// As [`Solver::solve`], and [`ModelError::Length`] or [`ModelError::StartNotFinite`].
+    pub fn solve_from(
+        &mut self,
+        problem: &mut dyn Problem,
+        start: &[f64],
+    ) -> Result<&Solution, ModelError> {
+        self.run(problem, Some(start), None)
+    }
+
+    /// Solves from `start` or, with `None`, from the problem's own, showing every iterate to a
+    /// monitor.
+    ///
+    /// # Errors
+    /// As [`Solver::solve_from`].
+    pub fn solve_monitored(
+        &mut self,
+        problem: &mut dyn Problem,
+        start: Option<&[f64]>,
+        monitor: &mut dyn Monitor,
+    ) -> Result<&Solution, ModelError> {
+        self.run(problem, start, Some(monitor))
+    }
+
+    fn run(
+        &mut self,
+        problem: &mut dyn Problem,
+        start: Option<&[f64]>,
+        monitor: Option<&mut dyn Monitor>,
+    ) -> Result<&Solution, ModelError> {
+        if let Some(start) = start {
+            problem.shape().check_start(start)?;
+        }
+        let mut work = match self.workspace.take() {
+            Some(workspace) if workspace.fits(problem.pattern()) => workspace,
+            other => {
+                let custom = self.custom.take().or(other.and_then(Workspace::into_custom));
+                Workspace::new(problem.pattern(), &self.options, custom)?
+            }
+        };
+        work.set_bounds(problem.shape());
+        work.reference.reset();
+        work.current.z.copy_from_slice(start.unwrap_or(problem.shape().start()));
+        problem.shape().bounds().project(&mut work.current.z);
+
+        let monitor = monitor.map(|monitor| monitor as &mut dyn Monitor);
+        let mut run = Run::new(problem, &self.options, &mut work, monitor);
+        let ControlFlow::Break(status) = match self.options.method {
+            Method::NewtonFb => newton_fb::solve(&mut run),
+            Method::NewtonMinFb => newton_min_fb::solve(&mut run),
+            Method::OldFb => old_fb::solve(&mut run),
+        };
+        finish(&mut run, status, &mut self.solution);
+        self.workspace = Some(work);
+        Ok(&self.solution)
+    }
+}
+
+/// The certificate has the last word: it judges every end that it has not judged yet.
+fn finish(run: &mut Run<'_>, status: Status, solution: &mut Solution) {
+    let certificate = run.certificate.unwrap_or_else(|| run.certify());
+    solution.status = match certificate.verdict(run.options.tol, run.options.tol_relative) {
+        Verdict::Accepted => Status::Solved,
+        _ => status,
+    };
+    solution.certificate = certificate;
+    solution.z.clone_from(&run.work.answer);
+    solution.f.clear();
+    solution.f.extend_from_slice(run.work.certifier.f());
+    solution.stats = run.stats;
+    solution.method = run.options.method;
+    solution.fault = run.fault.take().filter(|_| solution.status == Status::DomainError);
+    solution.start_was_moved = run.start_was_moved;
+}

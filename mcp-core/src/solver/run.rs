@@ -1,0 +1,375 @@
+//! One solve in progress: evaluations with their bookkeeping, trial points, endings.
+
+use super::certificate::{Certificate, Verdict};
+use super::monitor::{Direction, Iteration, Monitor};
+use super::options::{Criterion, Options};
+use super::solution::{DomainFault, Stats};
+use super::status::Status;
+use super::workspace::Workspace;
+use crate::globalise::StallWatch;
+use crate::problem::Problem;
+use std::ops::ControlFlow::{self, Break, Continue};
+use std::time::Instant;
+
+/// What a step of a method results in: the status that ends the solve, or a value to go on with.
+pub(super) type Flow<T = ()> = ControlFlow<Status, T>;
+
+/// A gradient this small relative to its terms is zero up to rounding.
+const ZERO_GRADIENT: f64 = 1e-12;
+/// A failed search at a gradient this small has ended near a stationary point.
+const SMALL_GRADIENT: f64 = 1e-5;
+
+/// Which trial point a step leads to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Candidate {
+    /// The full Newton step.
+    Full,
+    /// The trial point evaluated last.
+    Trial,
+}
+
+/// A solve in progress.
+pub(super) struct Run<'a> {
+    pub(super) problem: &'a mut dyn Problem,
+    pub(super) options: &'a Options,
+    pub(super) work: &'a mut Workspace,
+    pub(super) monitor: Option<&'a mut dyn Monitor>,
+    pub(super) stats: Stats,
+    pub(super) fault: Option<DomainFault>,
+    pub(super) start_was_moved: bool,
+    /// The certificate of the point that ended the solve, if it was asked.
+    pub(super) certificate: Option<Certificate>,
+    began: Option<Instant>,
+    stall: StallWatch,
+    last: (Direction, f64),
+    system_is_singular: bool,
+}
+
+impl<'a> Run<'a> {
+    /// A solve of `problem` from the iterate in `work`.
+    pub(super) fn new(
+        problem: &'a mut dyn Problem,
+        options: &'a Options,
+        work: &'a mut Workspace,
+        monitor: Option<&'a mut dyn Monitor>,
+    ) -> Self {
+        Run {
+            problem,
+            options,
+            work,
+            monitor,
+            stats: Stats::default(),
+            fault: None,
+            start_was_moved: false,
+            certificate: None,
+            // The only clock, and only where a limit is set.
+            began: options.time_limit.map(|_| Instant::now()),
+            stall: StallWatch::new(f64::INFINITY),
+            last: (Direction::Start, 0.0),
+            system_is_singular: false,
+        }
+    }
+
+    /// `F`, and `J` unless the start is a solution. Where they are not finite, variables at a bound
+    /// are moved inside once.
+    pub(super) fn start(&mut self) -> Flow {
+        loop {
+            self.stats.residual_evaluations += 1;
+            let work = &mut *self.work;
+            work.current.evaluate(self.problem, &work.rows);
+            let merit = work.current.merit;
+            if merit.is_nan() {
+                self.note_fault_of_residual(None);
+            } else {
+                self.work.reference.accept(merit);
+                self.stall = StallWatch::new(merit);
+                if !self.options.criterion.needs_gradient() {
+                    self.end_if_solved()?;
+                }
+                if self.evaluate_jacobian() {
+                    return Continue(());
+                }
+            }
+            if self.start_was_moved || !self.move_inside() {
+                return Break(Status::DomainError);
+            }
+            self.work.reference.reset();
+            self.fault = None;
+        }
+    }
+
+    /// Moves variables at a bound by `min(u − l, 10) / 10` into the box; false if there are none.
+    fn move_inside(&mut self) -> bool {
+        let bounds = self.problem.shape().bounds();
+        for (i, z) in self.work.current.z.iter_mut().enumerate() {
+            let (l, u) = (bounds.lower()[i], bounds.upper()[i]);
+            let inward = 0.1 * (u - l).min(10.0);
+            if inward > 0.0 && (*z == l || *z == u) {
+                *z += if *z == l { inward } else { -inward };
+                self.start_was_moved = true;
+            }
+        }
+        self.start_was_moved
+    }
+
+    /// Monitor, limits, stall; then `Da`, `Db` and `∇θ` at the iterate. Iterations begin here.
+    pub(super) fn begin_iteration(&mut self) -> Flow {
+        self.report()?;
+        self.work.linearise(self.problem.pattern());
+        if self.options.criterion.needs_gradient() {
+            self.end_if_solved()?;
+        }
+        if self.stats.iterations >= self.options.max_iterations {
+            return Break(Status::IterationLimit);
+        }
+        if let (Some(began), Some(limit)) = (self.began, self.options.time_limit)
+            && began.elapsed() >= limit
+        {
+            return Break(Status::TimeLimit);
+        }
+        match self.options.stall {
+            Some(rule) if self.stall.observe(self.work.current.merit, rule) => {
+                Break(self.status_without_progress())
+            }
+            _ => Continue(()),
+        }
+    }
+
+    /// Tells the monitor about the iterate.
+    fn report(&mut self) -> Flow {
+        let Some(monitor) = &mut self.monitor else { return Continue(()) };
+        let point = &self.work.current;
+        let natural = point.natural(self.problem.shape());
+        let iteration = Iteration {
+            k: self.stats.iterations,
+            residual_evaluations: self.stats.residual_evaluations,
+            jacobian_evaluations: self.stats.jacobian_evaluations,
+            fb_norm: (2.0 * point.merit).sqrt(),
+            natural_residual: natural.residual,
+            step: self.last.1,
+            direction: self.last.0,
+            active: natural.active,
+            worst: natural.worst,
+            z: &point.z,
+            f: &point.f,
+            problem: &*self.problem,
+        };
+        match monitor.iteration(&iteration) {
+            Continue(()) => Continue(()),
+            Break(()) => Break(Status::Interrupted),
+        }
+    }
+
+    /// Ends the solve if the criterion is met and the certificate agrees. A criterion never decides
+    /// by itself: if the certificate refuses, the iteration goes on.
+    fn end_if_solved(&mut self) -> Flow {
+        if !self.criterion_is_met() {
+            return Continue(());
+        }
+        let certificate = self.certify();
+        match certificate.verdict(self.options.tol, self.options.tol_relative) {
+            Verdict::Accepted => Break(Status::Solved),
+            Verdict::Asymptotic => Break(Status::SolvedAsymptotically),
+            Verdict::Refused => {
+                self.certificate = None;
+                Continue(())
+            }
+        }
+    }
+
+    /// NaN never meets a criterion.
+    fn criterion_is_met(&self) -> bool {
+        // Without an absolute tolerance only the certificate can tell.
+        let Some(tol) = self.options.tol else { return true };
+        let point = &self.work.current;
+        let fb_norm = || (2.0 * point.merit).sqrt();
+        let gradient = || norm(&self.work.gradient);
+        let measure = match self.options.criterion {
+            Criterion::NaturalResidual => point.natural(self.problem.shape()).residual,
+            Criterion::FbNorm => fb_norm(),
+            Criterion::Stationarity => gradient(),
+            Criterion::FbNormAndStationarity => fb_norm().max(gradient()),
+        };
+        measure <= tol
+    }
+
+    /// Judges the projection of the iterate into the box, which becomes the answer.
+    pub(super) fn certify(&mut self) -> Certificate {
+        self.stats.certificate_evaluations += 1;
+        let work = &mut *self.work;
+        work.answer.copy_from_slice(&work.current.z);
+        self.problem.shape().bounds().project(&mut work.answer);
+        let certificate = work.certifier.judge(self.problem, &work.answer);
+        self.certificate = Some(certificate);
+        certificate
+    }
+
+    /// Newton direction of the Fischer–Burmeister equations, `H d = −Φ`, if `H` is not singular.
+    pub(super) fn fb_direction(&mut self) -> Option<Direction> {
+        self.stats.factorisations += 1;
+        let work = &mut *self.work;
+        let jacobian = (&work.jac[..], self.problem.pattern());
+        let (a, b) = (&work.da[..], &work.db[..]);
+        let solved =
+            work.system.solve(jacobian, (a, b), &work.current.phi, &mut work.direction);
+        self.system_is_singular = !solved;
+        solved.then_some(Direction::FischerBurmeister)
+    }
+
+    /// Newton direction of the min map, if its linearisation is not singular.
+    pub(super) fn min_direction(&mut self) -> Option<Direction> {
+        self.stats.factorisations += 1;
+        let work = &mut *self.work;
+        work.linearise_min(self.problem.shape());
+        let jacobian = (&work.jac[..], self.problem.pattern());
+        let (a, b) = (&work.min_a[..], &work.min_b[..]);
+        let solved = work.system.solve(jacobian, (a, b), &work.min, &mut work.direction);
+        self.system_is_singular = !solved;
+        solved.then_some(Direction::MinMap)
+    }
+
+    /// `d = −∇θ` and its slope `−‖∇θ‖²`; ends the solve where the gradient vanishes.
+    pub(super) fn gradient_direction(&mut self) -> Flow<(Direction, f64)> {
+        if self.work.relative_gradient(self.problem.pattern()) <= ZERO_GRADIENT {
+            return Break(self.status_without_progress());
+        }
+        let work = &mut *self.work;
+        for (d, g) in work.direction.iter_mut().zip(&work.gradient) {
+            *d = -g;
+        }
+        Continue((Direction::Gradient, -dot(&work.gradient, &work.gradient)))
+    }
+
+    /// The slope `∇θ·d` if the direction is one of sufficient descent.
+    pub(super) fn descent_slope(&self) -> Option<f64> {
+        let (rule, d) = (self.options.descent, &self.work.direction);
+        let slope = dot(&self.work.gradient, d);
+        (slope <= -rule.rho * norm(d).powf(rule.p)).then_some(slope)
+    }
+
+    /// Evaluates `z + t d` and returns its merit, NaN where `F` is not finite.
+    pub(super) fn evaluate(&mut self, candidate: Candidate, t: f64) -> f64 {
+        self.stats.residual_evaluations += 1;
+        let work = &mut *self.work;
+        let point = match candidate {
+            Candidate::Full => &mut work.full,
+            Candidate::Trial => &mut work.trial,
+        };
+        for ((to, z), d) in point.z.iter_mut().zip(&work.current.z).zip(&work.direction) {
+            *to = z + t * d;
+        }
+        point.evaluate(self.problem, &work.rows);
+        point.merit
+    }
+
+    /// Searches along the direction; the full step, if it is known, is not evaluated again. Ends
+    /// the solve if no step is accepted.
+    pub(super) fn search(&mut self, direction: Direction, slope: f64, full_is_known: bool) -> Flow {
+        let armijo = self.options.armijo;
+        let reference = self.work.reference.value(self.work.current.merit);
+        let mut last_was_finite = true;
+        for t in armijo.steps() {
+            let candidate =
+                if full_is_known && t == 1.0 { Candidate::Full } else { Candidate::Trial };
+            let merit = match candidate {
+                Candidate::Full => self.work.full.merit,
+                Candidate::Trial => self.evaluate(Candidate::Trial, t),
+            };
+            last_was_finite = !merit.is_nan();
+            if !last_was_finite {
+                self.note_fault_of_residual(Some(candidate));
+            } else if armijo.accepts(merit, reference, t, slope) {
+                if self.take(candidate, t, direction)? {
+                    return Continue(());
+                }
+                last_was_finite = false;
+            }
+        }
+        Break(if last_was_finite { self.status_without_progress() } else { Status::DomainError })
+    }
+
+    /// Makes a candidate the iterate and ends the solve if it is a solution. False, with the old
+    /// iterate back, if `J` is not finite there.
+    pub(super) fn take(&mut self, candidate: Candidate, t: f64, direction: Direction) -> Flow<bool> {
+        self.exchange(candidate);
+        let before = (self.stats, self.last);
+        self.stats.iterations += 1;
+        self.stats.gradient_steps += usize::from(direction == Direction::Gradient);
+        self.last = (direction, t);
+        if !self.options.criterion.needs_gradient() {
+            self.end_if_solved()?;
+        }
+        if self.evaluate_jacobian() {
+            self.fault = None;
+            self.work.reference.accept(self.work.current.merit);
+            return Continue(true);
+        }
+        self.stats.iterations = before.0.iterations;
+        self.stats.gradient_steps = before.0.gradient_steps;
+        self.last = before.1;
+        self.exchange(candidate);
+        Continue(false)
+    }
+
+    fn exchange(&mut self, candidate: Candidate) {
+        let work = &mut *self.work;
+        let point = match candidate {
+            Candidate::Full => &mut work.full,
+            Candidate::Trial => &mut work.trial,
+        };
+        std::mem::swap(&mut work.current, point);
+    }
+
+    /// `J` at the iterate; the old one stays, and the fault is noted, if it is not finite.
+    fn evaluate_jacobian(&mut self) -> bool {
+        self.stats.jacobian_evaluations += 1;
+        let work = &mut *self.work;
+        self.problem.evaluate(&work.current.z, None, Some(&mut work.jac_trial));
+        let Some(k) = work.jac_trial.iter().position(|v| !v.is_finite()) else {
+            std::mem::swap(&mut work.jac, &mut work.jac_trial);
+            return true;
+        };
+        let pattern = self.problem.pattern();
+        let column = pattern.column_starts().partition_point(|&start| start <= k) - 1;
+        self.fault = Some(DomainFault {
+            equation: pattern.rows()[k],
+            variable: Some(column),
+            value: work.jac_trial[k],
+            z: work.current.z.clone(),
+        });
+        false
+    }
+
+    /// Notes the first non-finite `F` of a candidate, or of the iterate.
+    fn note_fault_of_residual(&mut self, candidate: Option<Candidate>) {
+        let point = match candidate {
+            None => &self.work.current,
+            Some(Candidate::Full) => &self.work.full,
+            Some(Candidate::Trial) => &self.work.trial,
+        };
+        if let Some(equation) = point.f.iter().position(|f| !f.is_finite()) {
+            let (value, z) = (point.f[equation], point.z.clone());
+            self.fault = Some(DomainFault { equation, variable: None, value, z });
+        }
+    }
+
+    /// Why the merit does not fall any further.
+    fn status_without_progress(&self) -> Status {
+        let gradient = self.work.relative_gradient(self.problem.pattern());
+        if self.system_is_singular && gradient <= ZERO_GRADIENT {
+            Status::SingularSystem
+        } else if gradient <= SMALL_GRADIENT {
+            Status::StationaryPoint
+        } else {
+            Status::LineSearchFailed
+        }
+    }
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
+fn norm(a: &[f64]) -> f64 {
+    dot(a, a).sqrt()
+}

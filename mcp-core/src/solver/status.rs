@@ -1,0 +1,136 @@
+//! [`Status`]: how a solve ended.
+
+use std::fmt;
+
+/// How a solve ended. Not converging is a result, not an error; `Display` says what it means and
+/// what to try.
+///
+/// | status | PATH | JuMP | Siconos `info` |
+/// | --- | --- | --- | --- |
+/// | `Solved` | `MCP_Solved` | `LOCALLY_SOLVED` | 0 |
+/// | `SolvedAsymptotically` | | `ALMOST_LOCALLY_SOLVED` | 0 |
+/// | `StationaryPoint` | `MCP_NoProgress` | `SLOW_PROGRESS` | 1 |
+/// | `SingularSystem` | (basis singular) | `NUMERICAL_ERROR` | 2, overwritten by 1 |
+/// | `LineSearchFailed` | `MCP_NoProgress` | `SLOW_PROGRESS` | 1 |
+/// | `IterationLimit` | `MCP_MajorIterationLimit` | `ITERATION_LIMIT` | 1 |
+/// | `TimeLimit` | `MCP_TimeLimit` | `TIME_LIMIT` | |
+/// | `DomainError` | `MCP_DomainError` | `NUMERICAL_ERROR` | 0 |
+/// | `Interrupted` | `MCP_UserInterrupt` | `INTERRUPTED` | |
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
+pub enum Status {
+    /// The certificate accepts the point: in the box, `F` and `J` finite, residuals below the
+    /// tolerances.
+    Solved,
+    /// The residuals are below the tolerances, but an equation has lost all its derivatives or a
+    /// variable has run away: a solution at infinity looks like this.
+    SolvedAsymptotically,
+    /// The gradient of the merit vanishes at a point that is no solution.
+    StationaryPoint,
+    /// The Newton system is singular and the gradient of the merit gives no direction either.
+    SingularSystem,
+    /// No step along the direction reduces the merit, or it has stopped falling.
+    LineSearchFailed,
+    /// The iteration limit was reached.
+    IterationLimit,
+    /// The time limit was reached.
+    TimeLimit,
+    /// `F` or `J` is not finite at the start, or on every step that was tried.
+    DomainError,
+    /// The monitor asked to stop.
+    Interrupted,
+}
+
+impl Status {
+    /// All statuses.
+    pub const ALL: [Status; 9] = [
+        Status::Solved,
+        Status::SolvedAsymptotically,
+        Status::StationaryPoint,
+        Status::SingularSystem,
+        Status::LineSearchFailed,
+        Status::IterationLimit,
+        Status::TimeLimit,
+        Status::DomainError,
+        Status::Interrupted,
+    ];
+
+    /// Name for tables and files, such as `solved` or `stationary_point`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Status::Solved => "solved",
+            Status::SolvedAsymptotically => "solved_asymptotically",
+            Status::StationaryPoint => "stationary_point",
+            Status::SingularSystem => "singular_system",
+            Status::LineSearchFailed => "line_search_failed",
+            Status::IterationLimit => "iteration_limit",
+            Status::TimeLimit => "time_limit",
+            Status::DomainError => "domain_error",
+            Status::Interrupted => "interrupted",
+        }
+    }
+
+    /// What happened, in one sentence.
+    pub fn meaning(self) -> &'static str {
+        match self {
+            Status::Solved => "the certificate accepts the point as a solution",
+            Status::SolvedAsymptotically => {
+                "the residual is small, but an equation has lost all its derivatives or a variable \
+                 has run away, as at a solution at infinity"
+            }
+            Status::StationaryPoint => {
+                "the gradient of the merit function vanishes at a point that is no solution"
+            }
+            Status::SingularSystem => {
+                "the Newton system is singular and the merit function has no descent direction"
+            }
+            Status::LineSearchFailed => "the merit function could not be reduced any further",
+            Status::IterationLimit => "the iteration limit was reached",
+            Status::TimeLimit => "the time limit was reached",
+            Status::DomainError => {
+                "F or its Jacobian is not finite at the start or on every step that was tried"
+            }
+            Status::Interrupted => "the monitor asked to stop",
+        }
+    }
+
+    /// What to try next; empty where there is nothing to try.
+    pub fn advice(self) -> &'static str {
+        match self {
+            Status::Solved | Status::Interrupted => "",
+            Status::SolvedAsymptotically => {
+                "look at the named equation and variable: bound the variable, or check whether the \
+                 model has a solution at a finite point"
+            }
+            Status::StationaryPoint => {
+                "try another start or another method, and look at the worst equations: the \
+                 problem may have no solution nearby"
+            }
+            Status::SingularSystem => {
+                "look for equations that repeat each other or variables no equation depends on \
+                 (all prices free to move together: fix one), or start elsewhere"
+            }
+            Status::LineSearchFailed => {
+                "if the residual is near rounding, loosen the tolerance; otherwise try another \
+                 start, another method or better units"
+            }
+            Status::IterationLimit => {
+                "allow more iterations if the residual was still falling, otherwise try another \
+                 start or another method"
+            }
+            Status::TimeLimit => "allow more time or start closer to the solution",
+            Status::DomainError => {
+                "bound the variables of the named equation away from where it is undefined, or \
+                 start inside its domain"
+            }
+        }
+    }
+}
+
+impl fmt::Display for Status {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}: {}", self.name(), self.meaning())?;
+        if self.advice().is_empty() { Ok(()) } else { write!(f, "; {}", self.advice()) }
+    }
+}

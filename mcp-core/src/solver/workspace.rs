@@ -1,0 +1,282 @@
+//! Memory of a solver, kept between solves, and the linear algebra of one iterate.
+
+use super::certificate::Certifier;
+use super::options::Options;
+use crate::error::ModelError;
+use crate::globalise::Reference;
+use crate::linalg::LinearSolver;
+use crate::model::Shape;
+use crate::ncp::{Branch, Reformulation, mid};
+use crate::problem::{Pattern, Problem, WithDiagonal};
+
+/// A point with `F`, `Φ` and the merit `θ = ½‖Φ‖²`; NaN where `F` is not finite.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Point {
+    pub(super) z: Vec<f64>,
+    pub(super) f: Vec<f64>,
+    pub(super) phi: Vec<f64>,
+    pub(super) merit: f64,
+}
+
+impl Point {
+    fn resize(&mut self, n: usize) {
+        for list in [&mut self.z, &mut self.f, &mut self.phi] {
+            list.resize(n, 0.0);
+        }
+    }
+
+    /// `F`, `Φ` and `θ` at `z`.
+    pub(super) fn evaluate(&mut self, problem: &mut dyn Problem, rows: &[Reformulation]) {
+        problem.evaluate(&self.z, Some(&mut self.f), None);
+        let mut square = 0.0;
+        for (i, row) in rows.iter().enumerate() {
+            self.phi[i] = row.value(self.z[i], self.f[i]);
+            square += self.phi[i] * self.phi[i];
+        }
+        self.merit = 0.5 * square;
+        if !self.f.iter().all(|f| f.is_finite()) {
+            self.merit = f64::NAN;
+        }
+    }
+
+    /// Largest natural residual, its variable, and the number of variables on a bound branch.
+    pub(super) fn natural(&self, shape: &Shape) -> Natural {
+        let (lower, upper) = (shape.bounds().lower(), shape.bounds().upper());
+        let mut natural = Natural { residual: 0.0, worst: 0, active: 0 };
+        for i in 0..self.z.len() {
+            let (value, branch) = mid(self.z[i], self.f[i], lower[i], upper[i]);
+            natural.active += usize::from(branch != Branch::Equation);
+            if !(value.abs() <= natural.residual) {
+                natural.residual = value.abs();
+                natural.worst = i;
+            }
+        }
+        natural
+    }
+}
+
+/// The min map at a point.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Natural {
+    pub(super) residual: f64,
+    pub(super) worst: usize,
+    pub(super) active: usize,
+}
+
+/// The matrix of a Newton system `H d = r`, assembled on the pattern of `J` with the diagonal.
+pub(super) struct NewtonSystem {
+    pattern: WithDiagonal,
+    values: Vec<f64>,
+    linear: Box<dyn LinearSolver>,
+    /// A linear solver the caller brought is kept whatever the pattern.
+    is_custom: bool,
+}
+
+impl NewtonSystem {
+    /// `H = diag(a) + diag(b) J`.
+    fn assemble(&mut self, jac: &[f64], source: &Pattern, a: &[f64], b: &[f64]) {
+        self.values.fill(0.0);
+        for ((&to, &value), &i) in self.pattern.entries.iter().zip(jac).zip(source.rows()) {
+            // A row switched off stays off whatever its derivatives.
+            if b[i] != 0.0 {
+                self.values[to] = b[i] * value;
+            }
+        }
+        for (&to, &a) in self.pattern.diagonal.iter().zip(a) {
+            self.values[to] += a;
+        }
+    }
+
+    /// Solves `(diag(a) + diag(b) J) d = −r`; false if the matrix is singular or `d` not finite.
+    pub(super) fn solve(
+        &mut self,
+        (jac, source): (&[f64], &Pattern),
+        (a, b): (&[f64], &[f64]),
+        r: &[f64],
+        d: &mut [f64],
+    ) -> bool {
+        self.assemble(jac, source, a, b);
+        if self.linear.factor(&self.values).is_err() {
+            return false;
+        }
+        for (d, r) in d.iter_mut().zip(r) {
+            *d = -r;
+        }
+        self.linear.solve(d);
+        d.iter().all(|d| d.is_finite())
+    }
+}
+
+/// Everything a solve needs; grown when a larger problem comes, otherwise left alone.
+pub(super) struct Workspace {
+    pub(super) rows: Vec<Reformulation>,
+    /// The iterate.
+    pub(super) current: Point,
+    /// The trial point at hand.
+    pub(super) trial: Point,
+    /// The full Newton step, kept while the search looks at others.
+    pub(super) full: Point,
+    /// The iterate moved into the box: what is judged and returned.
+    pub(super) answer: Vec<f64>,
+    /// `J` at the iterate.
+    pub(super) jac: Vec<f64>,
+    /// `J` at a trial point that is about to be accepted.
+    pub(super) jac_trial: Vec<f64>,
+    /// `H = diag(Da) + diag(Db) J`.
+    pub(super) da: Vec<f64>,
+    pub(super) db: Vec<f64>,
+    /// `∇θ = HᵀΦ`.
+    pub(super) gradient: Vec<f64>,
+    pub(super) direction: Vec<f64>,
+    /// Right-hand side of the min map, and rows of its linearisation.
+    pub(super) min: Vec<f64>,
+    pub(super) min_a: Vec<f64>,
+    pub(super) min_b: Vec<f64>,
+    /// `ζ` and `Jζ` at kinks.
+    zeta: Vec<f64>,
+    slope: Vec<f64>,
+    pub(super) system: NewtonSystem,
+    pub(super) reference: Reference,
+    pub(super) certifier: Certifier,
+}
+
+impl Workspace {
+    /// For the pattern of a problem, with the solver the options choose or the caller brought.
+    pub(super) fn new(
+        pattern: &Pattern,
+        options: &Options,
+        custom: Option<Box<dyn LinearSolver>>,
+    ) -> Result<Self, ModelError> {
+        let with_diagonal = pattern.with_diagonal();
+        let is_custom = custom.is_some();
+        let mut linear = match custom {
+            Some(linear) => linear,
+            None => options.linear.solver_for(&with_diagonal.pattern)?,
+        };
+        linear.analyse(&with_diagonal.pattern)?;
+        let (n, nnz) = (pattern.n(), pattern.nnz());
+        let mut workspace = Workspace {
+            rows: Vec::with_capacity(n),
+            current: Point::default(),
+            trial: Point::default(),
+            full: Point::default(),
+            answer: vec![0.0; n],
+            jac: vec![0.0; nnz],
+            jac_trial: vec![0.0; nnz],
+            da: vec![0.0; n],
+            db: vec![0.0; n],
+            gradient: vec![0.0; n],
+            direction: vec![0.0; n],
+            min: vec![0.0; n],
+            min_a: vec![0.0; n],
+            min_b: vec![0.0; n],
+            zeta: vec![0.0; n],
+            slope: vec![0.0; n],
+            system: NewtonSystem {
+                values: vec![0.0; with_diagonal.pattern.nnz()],
+                pattern: with_diagonal,
+                linear,
+                is_custom,
+            },
+            reference: Reference::new(options.nonmonotone, options.memory),
+            certifier: Certifier::default(),
+        };
+        for point in [&mut workspace.current, &mut workspace.trial, &mut workspace.full] {
+            point.resize(n);
+        }
+        workspace.certifier.resize(n, nnz);
+        Ok(workspace)
+    }
+
+    /// Whether this workspace was made for that pattern.
+    pub(super) fn fits(&self, pattern: &Pattern) -> bool {
+        let entries = &self.system.pattern.entries;
+        pattern.n() == self.da.len()
+            && pattern.nnz() == entries.len()
+            && pattern.entries().zip(entries).all(|((_, i, j), &to)| {
+                let own = &self.system.pattern.pattern;
+                own.rows()[to] == i && own.column(j).contains(&to)
+            })
+    }
+
+    /// The linear solver the caller brought, if it was one.
+    pub(super) fn into_custom(self) -> Option<Box<dyn LinearSolver>> {
+        self.system.is_custom.then_some(self.system.linear)
+    }
+
+    /// Bounds of a new solve.
+    pub(super) fn set_bounds(&mut self, shape: &Shape) {
+        self.rows.clear();
+        self.rows.extend((0..shape.n()).map(|i| Reformulation::new(shape.bounds(), i)));
+    }
+
+    /// `Da`, `Db` and `∇θ` at the iterate, from its `J`.
+    pub(super) fn linearise(&mut self, pattern: &Pattern) {
+        let Point { z, f, phi, .. } = &self.current;
+        let mut has_kinks = false;
+        for (i, row) in self.rows.iter().enumerate() {
+            (self.da[i], self.db[i]) = row.derivative(z[i], f[i]);
+            let kink = row.kink(z[i], f[i], || row_size(pattern, &self.jac, i, z));
+            self.zeta[i] = kink.unwrap_or(0.0);
+            has_kinks |= kink.is_some();
+        }
+        if has_kinks {
+            // (Jζ)_i decides which element of the generalised derivative is taken.
+            self.slope.fill(0.0);
+            for j in (0..z.len()).filter(|&j| self.zeta[j] != 0.0) {
+                for k in pattern.column(j) {
+                    self.slope[pattern.rows()[k]] += self.jac[k] * self.zeta[j];
+                }
+            }
+            for (i, row) in self.rows.iter().enumerate().filter(|&(i, _)| self.zeta[i] != 0.0) {
+                (self.da[i], self.db[i]) = row.kink_derivative(self.zeta[i], self.slope[i]);
+            }
+        }
+        for j in 0..z.len() {
+            let mut sum = self.da[j] * phi[j];
+            for k in pattern.column(j) {
+                let i = pattern.rows()[k];
+                if self.db[i] != 0.0 {
+                    sum += self.db[i] * self.jac[k] * phi[i];
+                }
+            }
+            self.gradient[j] = sum;
+        }
+    }
+
+    /// Right-hand side and rows of the linearised min map.
+    pub(super) fn linearise_min(&mut self, shape: &Shape) {
+        let (lower, upper) = (shape.bounds().lower(), shape.bounds().upper());
+        let Point { z, f, .. } = &self.current;
+        for i in 0..z.len() {
+            let (value, branch) = mid(z[i], f[i], lower[i], upper[i]);
+            let identity = branch != Branch::Equation;
+            self.min[i] = value;
+            self.min_a[i] = f64::from(u8::from(identity));
+            self.min_b[i] = f64::from(u8::from(!identity));
+        }
+    }
+
+    /// `‖∇θ‖∞` relative to the terms it is summed from: 0 at a stationary point, whatever the
+    /// scaling of the merit.
+    pub(super) fn relative_gradient(&self, pattern: &Pattern) -> f64 {
+        let phi = &self.current.phi;
+        let (mut largest, mut terms) = (0.0_f64, 0.0_f64);
+        for j in 0..phi.len() {
+            let mut sum = (self.da[j] * phi[j]).abs();
+            for k in pattern.column(j) {
+                let i = pattern.rows()[k];
+                sum += (self.db[i] * self.jac[k] * phi[i]).abs();
+            }
+            largest = largest.max(self.gradient[j].abs());
+            terms = terms.max(sum);
+        }
+        if terms > 0.0 { largest / terms } else { 0.0 }
+    }
+}
+
+/// `Σ_j |J_ij z_j|`: how large the terms of `F_i` are.
+fn row_size(pattern: &Pattern, jac: &[f64], i: usize, z: &[f64]) -> f64 {
+    let entry = |(j, &z): (usize, &f64)| pattern.position(i, j).map_or(0.0, |k| (jac[k] * z).abs());
+    z.iter().enumerate().map(entry).sum()
+}
