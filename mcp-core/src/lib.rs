@@ -1,5 +1,58 @@
-//! Mixed complementarity problems.
+//! Mixed complementarity problems: find `z` with `l <= z <= u` such that, for every `i`,
+//!
+//! ```text
+//! F_i(z) >= 0  where z_i = l_i,     F_i(z) = 0  where l_i < z_i < u_i,     F_i(z) <= 0  where z_i = u_i.
+//! ```
+//!
+//! Economic equilibria, contact and friction, obstacle problems, games and KKT systems have this
+//! form. A model is Rust code over generic numbers, written once; exact Jacobians come from that
+//! text and feed Fischer–Burmeister Newton methods; an independent certificate judges the answer.
+//!
+//! ```
+//! use mcp_core::{Options, Real, Scalar, mcp_fn, solve};
+//!
+//! /// Two firms with cost 1 a unit face the price 10 − q1 − q2:
+//! /// marginal cost − marginal revenue ⟂ quantity >= 0.
+//! #[mcp_fn(lower = 0.0)]
+//! fn duopoly<D: Scalar>([q1, q2]: [Real<D>; 2]) -> [Real<D>; 2] {
+//!     [1.0 - (10.0 - 2.0 * q1 - q2), 1.0 - (10.0 - q1 - 2.0 * q2)]
+//! }
+//!
+//! let solution = solve(&Duopoly::new()?, &Options::default())?.solved()?;
+//! assert!((solution.z[0] - 3.0).abs() < 1e-9 && (solution.z[1] - 3.0).abs() < 1e-9);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # Where to read on
+//!
+//! [`scalar`] numbers inside a model and their corners · [`model`] what a user writes ·
+//! [`problem`] exact derivatives and their pattern · [`solver`] methods, options, statuses, the
+//! certificate · [`ncp`] complementarity functions · [`globalise`] line searches · [`linalg`]
+//! linear systems · [`report`] tables by name.
+//!
+//! # References
+//!
+//! | key | source |
+//! | --- | --- |
+//! | \[Ahn83\] | B.-H. Ahn (1983), Iterative methods for linear complementarity problems with upper bounds on primary variables. Math. Prog. 26 |
+//! | \[BG12\] | I. Ben Gharbia, J. C. Gilbert (2012), Nonconvergence of the plain Newton-min algorithm for linear complementarity problems with a P-matrix. Math. Prog. 134 |
+//! | \[Bil95\] | S. C. Billups (1995), Algorithms for complementarity problems and generalized equations. PhD thesis, Wisconsin |
+//! | \[Fat79\] | Y. Fathi (1979), Computational complexity of LCPs associated with positive definite symmetric matrices. Math. Prog. 17 |
+//! | \[Fis92\] | A. Fischer (1992), A special Newton-type optimization method. Optimization 24 |
+//! | \[FP03\] | F. Facchinei, J.-S. Pang (2003), Finite-Dimensional Variational Inequalities and Complementarity Problems. Springer |
+//! | \[GLL86\] | L. Grippo, F. Lampariello, S. Lucidi (1986), A nonmonotone line search technique for Newton's method. SIAM J. Numer. Anal. 23 |
+//! | \[GV13\] | G. H. Golub, C. F. Van Loan (2013), Matrix Computations, 4th ed. Johns Hopkins |
+//! | \[KK98\] | C. Kanzow, H. Kleinmichel (1998), A new class of semismooth Newton-type methods for nonlinear complementarity problems. Comput. Optim. Appl. 11 |
+//! | \[Mur78\] | K. G. Murty (1978), Computational complexity of complementary pivot methods. Math. Prog. Study 7 |
+//! | \[Rui01\] | D. Ruiz (2001), A scaling algorithm to equilibrate both rows and columns norms in matrices. RAL-TR-2001-034 |
+//! | \[ZH04\] | H. Zhang, W. W. Hager (2004), A nonmonotone line search technique and its application to unconstrained optimization. SIAM J. Optim. 14 |
+
+// Generated code and doctests name this crate from outside and from inside alike.
 extern crate self as mcp_core;
+
+#[doc(hidden)]
+#[path = "private.rs"]
+pub mod __private;
 pub mod error;
 pub mod globalise;
 pub mod linalg;
@@ -8,10 +61,61 @@ pub mod ncp;
 pub mod problem;
 pub mod scalar;
 pub mod solver;
-pub use error::*;
-pub use globalise::*;
-pub use linalg::*;
-pub use model::*;
-pub use problem::*;
-pub use scalar::*;
-pub use solver::*;
+#[cfg(feature = "testing")]
+pub mod testing;
+
+pub use error::ModelError;
+pub use globalise::{Armijo, Nonmonotone, Stall};
+pub use linalg::{Linear, LinearError, LinearSolver};
+pub use model::{
+    Block, BoundKind, Bounds, Definition, Equation, Family, Model, Parameter, Reader, Set, Shape,
+    Values, Variable,
+};
+pub use problem::{AdProblem, Counting, Engine, Passes, Pattern, Problem};
+pub use scalar::{
+    Counted, Jet, OperationCounts, Real, Scalar, Tally, Total, Trace, atan2, external, hypot,
+    logsumexp, max, min, prod, select, smooth_max, smooth_min, sum, when,
+};
+pub use solver::{
+    Certificate, Criterion, Descent, Direction, DomainFault, Iteration, Method, Monitor, NotSolved,
+    Options, Solution, Solver, Stats, Status, UnknownMethod, Verdict, certify, solve, solve_from,
+};
+
+/// Makes a model of a function of fixed size.
+///
+/// The function keeps its name and can still be called; the type it adds has the same name in
+/// upper camel case, implements [`Model`] and is made by `new()`, which checks the bounds.
+/// Variables are named after the pattern, `[x1, x2]`, and their equations `f[x1]`, `f[x2]`; with
+/// one name for the whole array, `z`, they are `z[1]`, … and `f[1]`, ….
+///
+/// Arguments, all optional: `lower`, `upper` (default: free) and `start` (default 0), each a number
+/// for all variables or an array with one for each; `crate = path` where this crate has another
+/// name.
+///
+/// ```
+/// use mcp_core::{Model, ModelError, Real, Scalar, mcp_fn};
+///
+/// /// Four equations of Kojima and Shindo with two solutions.
+/// #[mcp_fn(lower = 0.0, start = [1, 0.5, 1, 0])]
+/// pub fn kojima_shindo<D: Scalar>([x1, x2, x3, x4]: [Real<D>; 4]) -> [Real<D>; 4] {
+///     [
+///         3 * x1 * x1 + 2 * x1 * x2 + 2 * x2 * x2 + x3 + 3 * x4 - 6,
+///         2 * x1 * x1 + x1 + x2 * x2 + 10 * x3 + 2 * x4 - 2,
+///         3 * x1 * x1 + x1 * x2 + 2 * x2 * x2 + 2 * x3 + 9 * x4 - 9,
+///         x1 * x1 + 3 * x2 * x2 + 2 * x3 + 3 * x4 - 3,
+///     ]
+/// }
+///
+/// let model = KojimaShindo::new()?;
+/// assert_eq!(model.shape().n(), 4);
+/// assert_eq!(model.shape().variable_name(1), "x2");
+/// assert_eq!(model.shape().equation_name(1), "f[x2]");
+/// assert_eq!(model.shape().start(), [1.0, 0.5, 1.0, 0.0]);
+///
+/// // The function itself can still be called.
+/// let f = kojima_shindo([1.0, 0.0, 3.0, 0.0].map(Real::<f64>::from));
+/// assert_eq!(f.map(Real::into_scalar), [0.0, 31.0, 0.0, 4.0]);
+/// # Ok::<(), ModelError>(())
+/// ```
+#[cfg(feature = "macros")]
+pub use mcp_macros::mcp_fn;

@@ -36,13 +36,8 @@ pub enum Linear {
 
 impl Linear {
     /// Every choice, [`Linear::Auto`] first.
-    pub const ALL: [Linear; 5] = [
-        Linear::Auto,
-        Linear::Stack,
-        Linear::Nalgebra,
-        Linear::FaerDense,
-        Linear::FaerSparse,
-    ];
+    pub const ALL: [Linear; 5] =
+        [Linear::Auto, Linear::Stack, Linear::Nalgebra, Linear::FaerDense, Linear::FaerSparse];
 
     /// What [`Linear::Auto`] stands for with this pattern; any other choice is itself. `O(1)`.
     #[must_use]
@@ -65,10 +60,7 @@ impl Linear {
         let n = pattern.n();
         Ok(match self.resolve(pattern) {
             Linear::Stack if n > StackLu::LIMIT => {
-                return Err(LinearError::TooLarge {
-                    n,
-                    limit: StackLu::LIMIT,
-                });
+                return Err(LinearError::TooLarge { n, limit: StackLu::LIMIT });
             }
             Linear::Stack => Box::new(StackLu::new()),
             Linear::Nalgebra => Box::new(NalgebraLu::new()),
@@ -91,11 +83,7 @@ impl Linear {
 /// Share of structural nonzeros; 1 for the matrix of order 0.
 fn density(pattern: &Pattern) -> f64 {
     let n = pattern.n() as f64;
-    if n > 0.0 {
-        pattern.nnz() as f64 / (n * n)
-    } else {
-        1.0
-    }
+    if n > 0.0 { pattern.nnz() as f64 / (n * n) } else { 1.0 }
 }
 
 impl fmt::Display for Linear {
@@ -119,9 +107,7 @@ impl FromStr for Linear {
         Linear::ALL
             .into_iter()
             .find(|choice| choice.as_str() == word)
-            .ok_or_else(|| UnknownLinear {
-                word: word.to_owned(),
-            })
+            .ok_or_else(|| UnknownLinear { word: word.to_owned() })
     }
 }
 
@@ -182,9 +168,7 @@ mod tests {
         for choice in Linear::ALL {
             assert_eq!(choice.to_string().parse(), Ok(choice));
         }
-        let unknown = UnknownLinear {
-            word: "umfpack".to_owned(),
-        };
+        let unknown = UnknownLinear { word: "umfpack".to_owned() };
         assert_eq!("umfpack".parse::<Linear>(), Err(unknown));
         assert_eq!(format!("{:>8}", Linear::Stack), "   stack");
     }

@@ -82,11 +82,7 @@ impl LinearSolver for FaerDenseLu {
 
     fn factor(&mut self, values: &[f64]) -> Result<FactorInfo, LinearError> {
         let pattern = self.pattern.get();
-        assert_eq!(
-            values.len(),
-            pattern.nnz(),
-            "one value for every entry of the pattern"
-        );
+        assert_eq!(values.len(), pattern.nnz(), "one value for every entry of the pattern");
         check_finite(values)?;
         let n = pattern.n();
         for (j, column) in self.factors.chunks_exact_mut(n.max(1)).enumerate() {

@@ -116,11 +116,7 @@ impl FaerSparseLu {
                 symbolic.factorize_numeric_lu_scratch::<f64>(Par::Seq, faer::Spec::default());
             // faer keeps its choice to itself. Supernodal factors ask for 32 bytes per unknown more
             // at least, which beats the alignment from order 8 on.
-            self.kind = if chosen == simplicial {
-                Kind::Simplicial
-            } else {
-                Kind::Supernodal
-            };
+            self.kind = if chosen == simplicial { Kind::Simplicial } else { Kind::Supernodal };
             let request = StackReq::any_of(&[
                 simplicial,
                 chosen,
@@ -142,10 +138,7 @@ impl FaerSparseLu {
     /// Supernodal factors and their test. `None`: a pivot may be zero.
     fn factor_supernodal(&mut self, values: &[f64]) -> Result<Option<FactorInfo>, LinearError> {
         let pattern = self.pattern.get();
-        let symbolic = self
-            .symbolic
-            .as_ref()
-            .expect("analysed matrices of order > 0 have one");
+        let symbolic = self.symbolic.as_ref().expect("analysed matrices of order > 0 have one");
         let stack = self.scratch.stack();
         let matrix = matrix(pattern, values);
         let done = symbolic.factorize_numeric_lu(
@@ -167,9 +160,7 @@ impl FaerSparseLu {
         if check_finite(&self.response).is_err() {
             return Ok(None);
         }
-        let norm = (0..pattern.n())
-            .map(|j| norm_1(&values[pattern.column(j)]))
-            .fold(0.0, f64::max);
+        let norm = (0..pattern.n()).map(|j| norm_1(&values[pattern.column(j)])).fold(0.0, f64::max);
         let ratio = norm_1(&self.probe) / norm / norm_1(&self.response);
         Ok(Some(FactorInfo::new(ratio.min(1.0))))
     }
@@ -178,16 +169,9 @@ impl FaerSparseLu {
     fn factor_simplicial(&mut self, values: &[f64]) -> Result<FactorInfo, LinearError> {
         let pattern = self.pattern.get();
         let n = pattern.n();
-        let symbolic = self
-            .symbolic
-            .as_ref()
-            .expect("analysed matrices of order > 0 have one");
+        let symbolic = self.symbolic.as_ref().expect("analysed matrices of order > 0 have one");
         let order = symbolic.col_perm();
-        let Simplicial {
-            lu,
-            rows,
-            rows_inverse,
-        } = &mut self.simplicial;
+        let Simplicial { lu, rows, rows_inverse } = &mut self.simplicial;
         if rows.len() != n {
             *rows = try_filled(0, n, n)?;
             *rows_inverse = try_filled(0, n, n)?;
@@ -202,9 +186,7 @@ impl FaerSparseLu {
         );
         match done {
             Err(LuError::SymbolicSingular { index }) => {
-                return Err(LinearError::Singular {
-                    column: order.arrays().0[index],
-                });
+                return Err(LinearError::Singular { column: order.arrays().0[index] });
             }
             Err(LuError::Generic(_)) => return Err(LinearError::OutOfMemory { n }),
             Ok(()) => {}
@@ -231,11 +213,7 @@ impl FaerSparseLu {
         let stack = self.scratch.stack();
         match self.current {
             Kind::Simplicial => {
-                let Simplicial {
-                    lu,
-                    rows,
-                    rows_inverse,
-                } = &self.simplicial;
+                let Simplicial { lu, rows, rows_inverse } = &self.simplicial;
                 let rows = PermRef::new_checked(rows, rows_inverse, n);
                 let columns = symbolic.col_perm();
                 if transposed {
@@ -282,11 +260,7 @@ impl LinearSolver for FaerSparseLu {
 
     fn factor(&mut self, values: &[f64]) -> Result<FactorInfo, LinearError> {
         let nnz = self.pattern.get().nnz();
-        assert_eq!(
-            values.len(),
-            nnz,
-            "one value for every entry of the pattern"
-        );
+        assert_eq!(values.len(), nnz, "one value for every entry of the pattern");
         check_finite(values)?;
         if self.symbolic.is_none() {
             return Ok(PivotRange::new().info());

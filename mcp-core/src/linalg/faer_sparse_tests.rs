@@ -7,10 +7,7 @@ struct Random(u64);
 
 impl Random {
     fn below(&mut self, below: usize) -> usize {
-        self.0 = self
-            .0
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1);
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
         usize::try_from(self.0 >> 33).unwrap() % below
     }
 }
@@ -35,22 +32,17 @@ fn both_kinds_of_factors_give_the_same_verdict_on_random_patterns() {
             .map(|j| {
                 let diagonal = (random.below(50) > 0).then_some(j);
                 let count = random.below(most);
-                (0..count)
-                    .map(|_| random.below(n))
-                    .chain(diagonal)
-                    .collect()
+                (0..count).map(|_| random.below(n)).chain(diagonal).collect()
             })
             .collect();
         let pattern = Pattern::from_columns(columns);
-        let values: Vec<f64> = (0..pattern.nnz())
-            .map(|_| [-2.0, -1.0, 1.0, 2.0][random.below(4)])
-            .collect();
+        let values: Vec<f64> =
+            (0..pattern.nnz()).map(|_| [-2.0, -1.0, 1.0, 2.0][random.below(4)]).collect();
         let b: Vec<f64> = (0..n).map(|_| random.below(9) as f64).collect();
         let mut verdicts = Vec::new();
-        for threshold in [
-            SupernodalThreshold::FORCE_SIMPLICIAL,
-            SupernodalThreshold::FORCE_SUPERNODAL,
-        ] {
+        for threshold in
+            [SupernodalThreshold::FORCE_SIMPLICIAL, SupernodalThreshold::FORCE_SUPERNODAL]
+        {
             let mut solver = FaerSparseLu::new();
             solver.analyse_anew(&pattern, threshold).unwrap();
             let forced = threshold == SupernodalThreshold::FORCE_SUPERNODAL;
@@ -80,10 +72,7 @@ fn both_kinds_of_factors_give_the_same_verdict_on_random_patterns() {
             _ => panic!("{verdicts:?}"),
         }
     }
-    assert!(
-        regular > 300 && singular > 300,
-        "{regular} regular, {singular} singular"
-    );
+    assert!(regular > 300 && singular > 300, "{regular} regular, {singular} singular");
 }
 
 #[test]
@@ -91,18 +80,11 @@ fn supernodal_factors_name_the_column_of_a_zero_pivot() {
     let n = 20;
     let pattern = Pattern::dense(n);
     let mut random = Random(2);
-    let mut values: Vec<f64> = (0..n * n)
-        .map(|_| 1.0 + random.below(1_000) as f64)
-        .collect();
+    let mut values: Vec<f64> = (0..n * n).map(|_| 1.0 + random.below(1_000) as f64).collect();
     values[7 * n..8 * n].fill(0.0);
     let mut solver = FaerSparseLu::new();
-    solver
-        .analyse_anew(&pattern, SupernodalThreshold::FORCE_SUPERNODAL)
-        .unwrap();
-    assert_eq!(
-        solver.factor(&values),
-        Err(LinearError::Singular { column: 7 })
-    );
+    solver.analyse_anew(&pattern, SupernodalThreshold::FORCE_SUPERNODAL).unwrap();
+    assert_eq!(solver.factor(&values), Err(LinearError::Singular { column: 7 }));
     for (k, value) in values[7 * n..8 * n].iter_mut().enumerate() {
         *value = if k == 3 { 1e5 } else { 1.0 };
     }

@@ -54,11 +54,7 @@ impl LinearSolver for NalgebraLu {
 
     fn factor(&mut self, values: &[f64]) -> Result<FactorInfo, LinearError> {
         let pattern = self.pattern.get();
-        assert_eq!(
-            values.len(),
-            pattern.nnz(),
-            "one value for every entry of the pattern"
-        );
+        assert_eq!(values.len(), pattern.nnz(), "one value for every entry of the pattern");
         check_finite(values)?;
         let n = pattern.n();
         let a = &mut self.factors;
@@ -85,11 +81,7 @@ impl LinearSolver for NalgebraLu {
     }
 
     fn solve(&mut self, rhs: &mut [f64]) {
-        assert_eq!(
-            rhs.len(),
-            self.exchanges.len(),
-            "one right-hand side for every row"
-        );
+        assert_eq!(rhs.len(), self.exchanges.len(), "one right-hand side for every row");
         for (k, &p) in self.exchanges.iter().enumerate() {
             rhs.swap(k, p);
         }
@@ -98,8 +90,7 @@ impl LinearSolver for NalgebraLu {
             return; // nalgebra's substitution takes at least one row
         }
         let mut x = DVectorViewMut::from_slice(rhs, n);
-        self.factors
-            .solve_lower_triangular_with_diag_mut(&mut x, 1.0);
+        self.factors.solve_lower_triangular_with_diag_mut(&mut x, 1.0);
         self.factors.solve_upper_triangular_unchecked_mut(&mut x);
     }
 
@@ -109,10 +100,7 @@ impl LinearSolver for NalgebraLu {
         let mut x = DVectorViewMut::from_slice(rhs, n);
         self.factors.tr_solve_upper_triangular_unchecked_mut(&mut x);
         for k in (0..n).rev() {
-            let below = self
-                .factors
-                .view_range(k + 1.., k)
-                .dot(&x.rows_range(k + 1..));
+            let below = self.factors.view_range(k + 1.., k).dot(&x.rows_range(k + 1..));
             x[k] -= below;
         }
         for (k, &p) in self.exchanges.iter().enumerate().rev() {

@@ -4,14 +4,8 @@ use super::{FactorInfo, LinearError};
 
 /// Refuses values with a NaN or an infinity among them. `O(nnz)`, without a branch per value.
 pub(super) fn check_finite(values: &[f64]) -> Result<(), LinearError> {
-    let bad = values
-        .iter()
-        .fold(false, |bad, value| bad | !value.is_finite());
-    if bad {
-        Err(LinearError::NotFinite)
-    } else {
-        Ok(())
-    }
+    let bad = values.iter().fold(false, |bad, value| bad | !value.is_finite());
+    if bad { Err(LinearError::NotFinite) } else { Ok(()) }
 }
 
 /// The extreme pivots seen so far, in absolute value.
@@ -24,10 +18,7 @@ pub(super) struct PivotRange {
 impl PivotRange {
     /// No pivot seen yet.
     pub(super) fn new() -> Self {
-        PivotRange {
-            smallest: f64::INFINITY,
-            largest: 0.0,
-        }
+        PivotRange { smallest: f64::INFINITY, largest: 0.0 }
     }
 
     /// Takes in the pivot of `column` and returns its reciprocal.
@@ -51,11 +42,7 @@ impl PivotRange {
 
     /// The ratio of the extreme pivots; 1 for the matrix of order 0.
     pub(super) fn info(self) -> FactorInfo {
-        FactorInfo::new(if self.largest > 0.0 {
-            self.smallest / self.largest
-        } else {
-            1.0
-        })
+        FactorInfo::new(if self.largest > 0.0 { self.smallest / self.largest } else { 1.0 })
     }
 }
 
@@ -66,10 +53,7 @@ mod tests {
     #[test]
     fn a_nan_or_an_infinity_anywhere_is_found() {
         assert_eq!(check_finite(&[]), Ok(()));
-        assert_eq!(
-            check_finite(&[0.0, -1.0, f64::MAX, f64::MIN_POSITIVE]),
-            Ok(())
-        );
+        assert_eq!(check_finite(&[0.0, -1.0, f64::MAX, f64::MIN_POSITIVE]), Ok(()));
         for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
             for place in 0..9 {
                 let mut values = [1.0; 9];

@@ -69,26 +69,14 @@ impl StackLu {
     /// The factors as `N` columns of length `N`.
     #[inline]
     fn columns<const N: usize>(&self) -> &[[f64; N]; N] {
-        self.factors
-            .as_chunks()
-            .0
-            .first_chunk()
-            .expect("N is at most 16")
+        self.factors.as_chunks().0.first_chunk().expect("N is at most 16")
     }
 
     #[inline]
     fn factor_order<const N: usize>(&mut self) -> Result<FactorInfo, LinearError> {
-        let StackLu {
-            factors,
-            reciprocals,
-            exchanges,
-            ..
-        } = self;
-        let a: &mut [[f64; N]; N] = factors
-            .as_chunks_mut()
-            .0
-            .first_chunk_mut()
-            .expect("N is at most 16");
+        let StackLu { factors, reciprocals, exchanges, .. } = self;
+        let a: &mut [[f64; N]; N] =
+            factors.as_chunks_mut().0.first_chunk_mut().expect("N is at most 16");
         // A zero pivot leaves NaN and infinity behind it, but no trace before it: the test of the
         // pivots after the steps finds it first, and the steps stay free of exits.
         forward!(N, k => {
@@ -124,9 +112,7 @@ impl StackLu {
     #[inline]
     fn solve_transposed_order<const N: usize>(&self, rhs: &mut [f64]) {
         let a = self.columns::<N>();
-        let x: &mut [f64; N] = rhs
-            .try_into()
-            .expect("one right-hand side for every column");
+        let x: &mut [f64; N] = rhs.try_into().expect("one right-hand side for every column");
         forward!(N, k => {
             for i in 0..k {
                 x[k] -= a[k][i] * x[i];
@@ -146,10 +132,7 @@ impl StackLu {
 
 /// Step `k` of Gaussian elimination: the reciprocal of the pivot and the row exchanged with `k`.
 #[inline(always)]
-#[allow(
-    clippy::inline_always,
-    reason = "only with k known are the inner loops unrolled"
-)]
+#[allow(clippy::inline_always, reason = "only with k known are the inner loops unrolled")]
 fn eliminate<const N: usize>(a: &mut [[f64; N]; N], k: usize) -> (f64, u8) {
     let mut p = k;
     let mut largest = a[k][k].abs();
@@ -234,11 +217,7 @@ impl LinearSolver for StackLu {
     }
 
     fn factor(&mut self, values: &[f64]) -> Result<FactorInfo, LinearError> {
-        assert_eq!(
-            values.len(),
-            self.nnz,
-            "one value for every entry of the pattern"
-        );
+        assert_eq!(values.len(), self.nnz, "one value for every entry of the pattern");
         check_finite(values)?;
         let entries = self.n * self.n;
         if self.nnz == entries {
@@ -288,14 +267,7 @@ mod tests {
         let info = solver.factor(&a).unwrap();
         let u = [6.0, 18.0, -12.0, 8.0, 16.0, 6.0];
         let found = solver.columns::<3>();
-        let found = [
-            found[0][0],
-            found[1][0],
-            found[2][0],
-            found[1][1],
-            found[2][1],
-            found[2][2],
-        ];
+        let found = [found[0][0], found[1][0], found[2][0], found[1][1], found[2][1], found[2][2]];
         for (expected, found) in u.iter().zip(found) {
             assert!((expected - found).abs() < 1e-14, "{expected} {found}");
         }

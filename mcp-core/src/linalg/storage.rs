@@ -53,9 +53,7 @@ pub(super) fn scatter_column(pattern: &Pattern, values: &[f64], j: usize, column
 /// `len` copies of `value`, or [`LinearError::OutOfMemory`].
 pub(super) fn try_filled<T: Clone>(value: T, len: usize, n: usize) -> Result<Vec<T>, LinearError> {
     let mut filled = Vec::new();
-    filled
-        .try_reserve_exact(len)
-        .map_err(|_| LinearError::OutOfMemory { n })?;
+    filled.try_reserve_exact(len).map_err(|_| LinearError::OutOfMemory { n })?;
     filled.resize(len, value);
     Ok(filled)
 }
@@ -71,9 +69,7 @@ impl Scratch {
 
     /// Memory for a request, or [`LinearError::OutOfMemory`].
     pub(super) fn try_new(request: StackReq, n: usize) -> Result<Self, LinearError> {
-        MemBuffer::try_new(request)
-            .map(Scratch)
-            .map_err(|_| LinearError::OutOfMemory { n })
+        MemBuffer::try_new(request).map(Scratch).map_err(|_| LinearError::OutOfMemory { n })
     }
 
     /// All of it, for one call of an algorithm.

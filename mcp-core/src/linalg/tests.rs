@@ -8,15 +8,11 @@ use matrices::{Matrix, Random};
 /// Every solver that takes this order.
 fn solvers(n: usize) -> Vec<Box<dyn LinearSolver>> {
     let pattern = Pattern::dense(n);
-    Linear::ALL
-        .into_iter()
-        .filter_map(|choice| choice.solver_for(&pattern).ok())
-        .collect()
+    Linear::ALL.into_iter().filter_map(|choice| choice.solver_for(&pattern).ok()).collect()
 }
 
 fn largest(x: &[f64]) -> f64 {
-    x.iter()
-        .fold(0.0, |largest: f64, value| largest.max(value.abs()))
+    x.iter().fold(0.0, |largest: f64, value| largest.max(value.abs()))
 }
 
 /// `x ← H⁻¹ x`, or `x ← H⁻ᵀ x` for `back`.
@@ -36,23 +32,15 @@ fn assert_solved(solver: &dyn LinearSolver, matrix: &Matrix, x: &[f64], b: &[f64
     let bound = 8.0 * n * f64::EPSILON * n * matrix.largest() * largest(x);
     for (i, (left, right)) in product.iter().zip(b).enumerate() {
         let residual = (left - right).abs();
-        assert!(
-            residual <= bound,
-            "{} row {i}: {residual:e} > {bound:e}",
-            solver.name()
-        );
+        assert!(residual <= bound, "{} row {i}: {residual:e} > {bound:e}", solver.name());
     }
 }
 
 /// Factors and solves both ways.
 fn check(solver: &mut dyn LinearSolver, matrix: &Matrix) -> FactorInfo {
     solver.analyse(&matrix.pattern).unwrap();
-    let info = solver
-        .factor(&matrix.values)
-        .unwrap_or_else(|e| panic!("{}: {e}", solver.name()));
-    let b: Vec<f64> = (0..matrix.n())
-        .map(|i| 1.0 - (i % 7) as f64 * 0.3)
-        .collect();
+    let info = solver.factor(&matrix.values).unwrap_or_else(|e| panic!("{}: {e}", solver.name()));
+    let b: Vec<f64> = (0..matrix.n()).map(|i| 1.0 - (i % 7) as f64 * 0.3).collect();
     for back in [false, true] {
         let mut x = b.clone();
         solve(solver, &mut x, back);
@@ -64,11 +52,7 @@ fn check(solver: &mut dyn LinearSolver, matrix: &Matrix) -> FactorInfo {
 fn check_all(matrix: &Matrix) {
     for mut solver in solvers(matrix.n()) {
         let info = check(&mut *solver, matrix);
-        assert!(
-            info.pivot_ratio > 0.0 && info.pivot_ratio <= 1.0,
-            "{}",
-            solver.name()
-        );
+        assert!(info.pivot_ratio > 0.0 && info.pivot_ratio <= 1.0, "{}", solver.name());
     }
 }
 
@@ -88,12 +72,7 @@ fn assert_singular(matrix: &Matrix, column: impl Fn(usize) -> bool) {
 fn the_matrix_of_order_zero_is_regular() {
     for mut solver in solvers(0) {
         solver.analyse(&Pattern::dense(0)).unwrap();
-        assert_eq!(
-            solver.factor(&[]),
-            Ok(FactorInfo::new(1.0)),
-            "{}",
-            solver.name()
-        );
+        assert_eq!(solver.factor(&[]), Ok(FactorInfo::new(1.0)), "{}", solver.name());
         solver.solve(&mut []);
         solver.solve_transposed(&mut []);
     }
@@ -103,20 +82,12 @@ fn the_matrix_of_order_zero_is_regular() {
 fn one_equation_is_a_division() {
     for mut solver in solvers(1) {
         solver.analyse(&Pattern::dense(1)).unwrap();
-        assert_eq!(
-            solver.factor(&[-4.0]),
-            Ok(FactorInfo::new(1.0)),
-            "{}",
-            solver.name()
-        );
+        assert_eq!(solver.factor(&[-4.0]), Ok(FactorInfo::new(1.0)), "{}", solver.name());
         let mut x = [2.0];
         solver.solve(&mut x);
         solver.solve_transposed(&mut x);
         assert!((x[0] - 0.125).abs() < f64::EPSILON);
-        assert_eq!(
-            solver.factor(&[0.0]),
-            Err(LinearError::Singular { column: 0 })
-        );
+        assert_eq!(solver.factor(&[0.0]), Err(LinearError::Singular { column: 0 }));
     }
 }
 
@@ -157,12 +128,7 @@ fn permutation_matrices_are_solved_exactly() {
         let b: Vec<f64> = (0..n).map(|i| i as f64 + 0.5).collect();
         for mut solver in solvers(n) {
             solver.analyse(&matrix.pattern).unwrap();
-            assert_eq!(
-                solver.factor(&matrix.values).map(|_| ()),
-                Ok(()),
-                "{}",
-                solver.name()
-            );
+            assert_eq!(solver.factor(&matrix.values).map(|_| ()), Ok(()), "{}", solver.name());
             for back in [false, true] {
                 let mut x = matrix.times(&b, back);
                 solve(&mut *solver, &mut x, back);
@@ -204,16 +170,9 @@ fn a_zero_column_is_singular_and_named() {
 fn structurally_empty_columns_and_rows_are_singular() {
     for n in [1, 3, 16, 130] {
         let columns = (0..n).map(|j| if j == n / 3 { vec![] } else { vec![j] });
-        assert_singular(
-            &Matrix::new(Pattern::from_columns(columns), |_, _| 1.0),
-            |c| c == n / 3,
-        );
-        let rows: Vec<_> = (0..n)
-            .map(|i| if i == 0 { vec![] } else { (0..n).collect() })
-            .collect();
-        let matrix = Matrix::new(Pattern::from_rows(&rows), |i, j| {
-            f64::from(u8::from(j + 1 == i))
-        });
+        assert_singular(&Matrix::new(Pattern::from_columns(columns), |_, _| 1.0), |c| c == n / 3);
+        let rows: Vec<_> = (0..n).map(|i| if i == 0 { vec![] } else { (0..n).collect() }).collect();
+        let matrix = Matrix::new(Pattern::from_rows(&rows), |i, j| f64::from(u8::from(j + 1 == i)));
         assert_singular(&matrix, |column| column < n);
     }
 }
@@ -223,11 +182,7 @@ fn duplicated_rows_are_singular() {
     for n in [2, 3, 6, 15, 30, 110] {
         let matrix = Matrix::dense(n, |i, j| {
             let i = if i == n - 1 { 0 } else { i };
-            if i == j {
-                4.0
-            } else {
-                f64::from(u8::try_from((i * j) % 2).unwrap_or(0)) / 8.0
-            }
+            if i == j { 4.0 } else { f64::from(u8::try_from((i * j) % 2).unwrap_or(0)) / 8.0 }
         });
         for mut solver in solvers(n) {
             solver.analyse(&matrix.pattern).unwrap();
@@ -244,9 +199,8 @@ fn duplicated_rows_are_singular() {
 fn large_singular_grids_are_found_out() {
     // Pure differences around a ring of 2 000 nodes, each with far neighbours: rows sum to zero.
     let n = 2_000;
-    let rows: Vec<_> = (0..n)
-        .map(|i| vec![i, (i + 1) % n, (i + 37) % n, (i * i + 5) % n])
-        .collect();
+    let rows: Vec<_> =
+        (0..n).map(|i| vec![i, (i + 1) % n, (i + 37) % n, (i * i + 5) % n]).collect();
     let pattern = Pattern::from_rows(&rows);
     let mut matrix = Matrix::new(pattern, |i, j| if i == j { 0.0 } else { -1.0 });
     for j in 0..n {
@@ -336,14 +290,7 @@ fn new_values_and_new_patterns_replace_the_old_ones() {
         let smaller = Matrix::dense(1, |_, _| 3.0);
         let permutation = Matrix::permutation(n);
         for mut solver in solvers(n) {
-            for matrix in [
-                &dense,
-                &same_pattern,
-                &smaller,
-                &dense,
-                &permutation,
-                &dense,
-            ] {
+            for matrix in [&dense, &same_pattern, &smaller, &dense, &permutation, &dense] {
                 check(&mut *solver, matrix);
             }
         }
@@ -358,10 +305,7 @@ fn a_singular_matrix_does_not_spoil_the_next_one() {
         let singular = Matrix::dense(n, |i, _| if i == 0 { 0.0 } else { 1.0 });
         for mut solver in solvers(n) {
             solver.analyse(&regular.pattern).unwrap();
-            assert!(matches!(
-                solver.factor(&singular.values),
-                Err(LinearError::Singular { .. })
-            ));
+            assert!(matches!(solver.factor(&singular.values), Err(LinearError::Singular { .. })));
             check(&mut *solver, &regular);
         }
     }

@@ -96,6 +96,7 @@ impl Bounds {
 
 #[cfg(test)]
 mod tests {
+    use super::BoundKind::{Boxed, Fixed, Free, Lower, Upper};
     use super::*;
 
     const INF: f64 = f64::INFINITY;
@@ -105,7 +106,6 @@ mod tests {
         let bounds = Bounds::new(vec![-INF, 0.0, -INF, 0.0, 1.0], vec![INF, INF, 1.0, 1.0, 1.0]);
         let bounds = bounds.unwrap();
         let kinds: Vec<_> = (0..5).map(|i| bounds.kind(i)).collect();
-        use BoundKind::{Boxed, Fixed, Free, Lower, Upper};
         assert_eq!(kinds, [Free, Lower, Upper, Boxed, Fixed]);
     }
 

@@ -65,7 +65,6 @@ impl Reformulation {
     pub fn kink(&self, z: f64, f: f64, f_scale: impl FnOnce() -> f64) -> Option<f64> {
         let at = |bound: f64| (z - bound).abs() <= f64::EPSILON * bound.abs();
         let direction = match self.kind {
-            BoundKind::Free | BoundKind::Fixed => return None,
             BoundKind::Lower | BoundKind::Boxed if at(self.lower) => 1.0,
             BoundKind::Upper | BoundKind::Boxed if at(self.upper) => -1.0,
             _ => return None,

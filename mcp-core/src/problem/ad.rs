@@ -1,12 +1,13 @@
 //! [`AdProblem`]: a model with exact derivatives.
 
 use super::lanes::Lanes;
-use super::record::{record_rows, trace_whole};
-use super::rows::{JetLanes, Rows, pattern_of};
+use super::record::{Recorded, record_rows, trace_whole};
+use super::rows::{JetLanes, NumDualLanes, Rows, pattern_of};
 use super::{Pattern, Problem};
 use crate::error::ModelError;
 use crate::model::{Model, Reader, Shape};
 use crate::scalar::{Counted, Jet, OperationCounts, Real, Scalar, Tally};
+use num_dual::DualSVec64;
 
 /// Which arithmetic carries the derivatives.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -51,31 +52,41 @@ impl<M: Model> AdProblem<M> {
     /// Records the pattern and allocates the workspace, with the default [`Engine::Jet`].
     ///
     /// # Errors
-    /// [`ModelError::ReadOutOfRange`], [`ModelError::DefinitionOrder`].
+    /// [`ModelError::ReadOutOfRange`], [`ModelError::DefinitionOrder`]; [`ModelError::Length`] if a
+    /// model of one function ([`Model::WHOLE`]) declares definitions or another number of rows.
     pub fn new(model: M) -> Result<Self, ModelError> {
-        Self::assemble(
-            model,
-            |n, shape, pattern| match n {
-                0..=1 => Box::new(Lanes::<Jet<1>>::new(shape, pattern)),
-                2 => Box::new(Lanes::<Jet<2>>::new(shape, pattern)),
-                3..=4 => Box::new(Lanes::<Jet<4>>::new(shape, pattern)),
-                5..=8 => Box::new(Lanes::<Jet<8>>::new(shape, pattern)),
-                _ => Box::new(Lanes::<Jet<16>>::new(shape, pattern)),
-            },
-            |shape, recorded, pattern| Box::new(Rows::<JetLanes>::new(shape, recorded, pattern)),
-        )
+        Self::assemble(model, jet_lanes, |shape, recorded, pattern| {
+            Box::new(Rows::<JetLanes>::new(shape, recorded, pattern))
+        })
+    }
+
+    /// The same with derivatives by the given engine.
+    ///
+    /// # Errors
+    /// As [`AdProblem::new`].
+    pub fn with_engine(model: M, engine: Engine) -> Result<Self, ModelError> {
+        match engine {
+            Engine::Jet => Self::new(model),
+            Engine::NumDual => Self::assemble(
+                model,
+                |shape, pattern| Box::new(Lanes::<DualSVec64<8>>::new(shape, pattern)),
+                |shape, recorded, pattern| {
+                    Box::new(Rows::<NumDualLanes>::new(shape, recorded, pattern))
+                },
+            ),
+        }
     }
 
     fn assemble(
         model: M,
-        lanes: impl FnOnce(usize, &Shape, &Pattern) -> Box<dyn Pass<M>>,
-        rows: impl FnOnce(&Shape, &super::record::Recorded, &Pattern) -> Box<dyn Pass<M>>,
+        lanes: impl FnOnce(&Shape, &Pattern) -> Box<dyn Pass<M>>,
+        rows: impl FnOnce(&Shape, &Recorded, &Pattern) -> Box<dyn Pass<M>>,
     ) -> Result<Self, ModelError> {
         let shape = model.shape().clone();
-        let mut second_order = vec![true; shape.n()];
-        let (pattern, pass, row_second_order): (_, _, Vec<bool>) = if let Some(n) = M::WHOLE {
+        let (pattern, pass, row_second_order) = if const { M::WHOLE.is_some() } {
+            check_whole(M::WHOLE, &shape)?;
             let (pattern, second_order) = trace_whole(&model, &shape);
-            let pass = lanes(n, &shape, &pattern);
+            let pass = lanes(&shape, &pattern);
             (pattern, pass, second_order)
         } else {
             let recorded = record_rows(&model, &shape)?;
@@ -83,6 +94,7 @@ impl<M: Model> AdProblem<M> {
             let pass = rows(&shape, &recorded, &pattern);
             (pattern, pass, recorded.rows.iter().map(|reads| reads.second_order).collect())
         };
+        let mut second_order = vec![true; shape.n()];
         for (row, has) in row_second_order.into_iter().enumerate() {
             second_order[shape.variable_of_row(row)] = has;
         }
@@ -139,7 +151,8 @@ impl<M: Model> AdProblem<M> {
         for first in (0..m).step_by(Chunk::LANES) {
             let seed = |(k, &p): (usize, &f64)| Real(Chunk::seed(p, k.wrapping_sub(first)));
             let parameters: Vec<Real<Chunk>> = values.iter().enumerate().map(seed).collect();
-            for (row, f) in evaluate_all(&self.model, &self.shape, &z, &parameters).iter().enumerate()
+            for (row, f) in
+                evaluate_all(&self.model, &self.shape, &z, &parameters).iter().enumerate()
             {
                 let i = self.shape.variable_of_row(row);
                 for k in first..m.min(first + Chunk::LANES) {
@@ -148,6 +161,48 @@ impl<M: Model> AdProblem<M> {
             }
         }
         Ok(jacobian)
+    }
+}
+
+/// A model of one function computes all rows of its shape and has no definitions.
+fn check_whole(whole: Option<usize>, shape: &Shape) -> Result<(), ModelError> {
+    let expected = whole.unwrap_or(0);
+    let sizes = [
+        ("rows of a model of one function", expected, shape.row_count()),
+        ("definitions of a model of one function", 0, shape.definition_count()),
+    ];
+    match sizes.into_iter().find(|(_, expected, found)| expected != found) {
+        Some((what, expected, found)) => {
+            Err(ModelError::Length { what: what.to_owned(), expected, found })
+        }
+        None => Ok(()),
+    }
+}
+
+/// Dense lanes for a model of one function: the smallest sufficient number. Branches on a constant,
+/// so that only one of the arithmetics is compiled for a model.
+fn jet_lanes<M: Model>(shape: &Shape, pattern: &Pattern) -> Box<dyn Pass<M>> {
+    if const { lanes_for(M::WHOLE) == 1 } {
+        Box::new(Lanes::<Jet<1>>::new(shape, pattern))
+    } else if const { lanes_for(M::WHOLE) == 2 } {
+        Box::new(Lanes::<Jet<2>>::new(shape, pattern))
+    } else if const { lanes_for(M::WHOLE) == 4 } {
+        Box::new(Lanes::<Jet<4>>::new(shape, pattern))
+    } else if const { lanes_for(M::WHOLE) == 8 } {
+        Box::new(Lanes::<Jet<8>>::new(shape, pattern))
+    } else {
+        Box::new(Lanes::<Jet<16>>::new(shape, pattern))
+    }
+}
+
+/// The smallest of 1, 2, 4, 8, 16 lanes that covers `n` variables, 16 above.
+const fn lanes_for(whole: Option<usize>) -> usize {
+    match whole {
+        Some(0..=1) => 1,
+        Some(2) => 2,
+        Some(3..=4) => 4,
+        Some(5..=8) => 8,
+        _ => 16,
     }
 }
 

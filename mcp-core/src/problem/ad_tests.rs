@@ -19,7 +19,9 @@ fn market(n: usize) -> Market {
         .definition(Definition::new("price"))
         .definition(Definition::new("markup").over(&[&firms]))
         .parameter(Parameter::new("a", 10.0))
-        .parameter(Parameter::new("c", (0..n).map(|i| i as f64).collect::<Vec<_>>()).over(&[&firms]))
+        .parameter(
+            Parameter::new("c", (0..n).map(|i| i as f64).collect::<Vec<_>>()).over(&[&firms]),
+        )
         .build()
         .unwrap();
     Market { shape, n }
@@ -74,6 +76,12 @@ fn rows_with_definitions_agree_with_the_formulas_at_every_lane_count() {
                 let entry = problem.pattern().position(i, j).map_or(0.0, |k| jac[k]);
                 assert!((entry - jac_hand[i][j]).abs() <= 1e-13, "n = {n}, J_{i}{j}");
             }
+        }
+        let mut second = AdProblem::with_engine(market(n), Engine::NumDual).unwrap();
+        let mut jac_second = vec![0.0; jac.len()];
+        second.evaluate(&z, None, Some(&mut jac_second));
+        for (one, other) in jac.iter().zip(&jac_second) {
+            assert!((one - other).abs() <= 1e-13, "n = {n}: engines differ");
         }
         let mut alone = vec![0.0; n + 1];
         problem.evaluate(&z, Some(&mut alone), None);

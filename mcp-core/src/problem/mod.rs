@@ -44,14 +44,21 @@ pub trait Problem {
     fn evaluate(&mut self, z: &[f64], f: Option<&mut [f64]>, jac: Option<&mut [f64]>);
 }
 
-impl<P: Problem + ?Sized> Problem for &mut P {
-    fn shape(&self) -> &Shape {
-        (**self).shape()
-    }
-    fn pattern(&self) -> &Pattern {
-        (**self).pattern()
-    }
-    fn evaluate(&mut self, z: &[f64], f: Option<&mut [f64]>, jac: Option<&mut [f64]>) {
-        (**self).evaluate(z, f, jac);
-    }
+macro_rules! forward {
+    ($Pointer:ty) => {
+        impl<P: Problem + ?Sized> Problem for $Pointer {
+            fn shape(&self) -> &Shape {
+                (**self).shape()
+            }
+            fn pattern(&self) -> &Pattern {
+                (**self).pattern()
+            }
+            fn evaluate(&mut self, z: &[f64], f: Option<&mut [f64]>, jac: Option<&mut [f64]>) {
+                (**self).evaluate(z, f, jac);
+            }
+        }
+    };
 }
+
+forward!(&mut P);
+forward!(Box<P>);

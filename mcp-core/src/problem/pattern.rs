@@ -98,9 +98,8 @@ impl Pattern {
             rows
         });
         let pattern = Self::from_columns(columns);
-        let position = |i, j| pattern.position(i, j).expect("the new pattern contains the old one");
-        let entries = self.entries().map(|(_, i, j)| position(i, j)).collect();
-        let diagonal = (0..self.n()).map(|j| position(j, j)).collect();
+        let entries = self.entries().filter_map(|(_, i, j)| pattern.position(i, j)).collect();
+        let diagonal = (0..self.n()).filter_map(|j| pattern.position(j, j)).collect();
         WithDiagonal { pattern, entries, diagonal }
     }
 }

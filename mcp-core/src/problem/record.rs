@@ -38,13 +38,11 @@ pub(super) fn all_rows(lengths: impl Iterator<Item = usize>) -> Vec<Row> {
 /// models cannot branch on them.
 pub(super) fn record_rows<M: Model>(model: &M, shape: &Shape) -> Result<Recorded, ModelError> {
     let unknown = vec![f64::NAN; shape.definition_count()];
-    let point = Point {
-        z: shape.start(),
-        definitions: &unknown,
-        parameters: shape.parameter_values(),
-    };
+    let point =
+        Point { z: shape.start(), definitions: &unknown, parameters: shape.parameter_values() };
     let mut definitions: Vec<RowReads> = Vec::new();
-    for (k, row) in all_rows(shape.definitions().iter().map(crate::Family::len)).iter().enumerate() {
+    for (k, row) in all_rows(shape.definitions().iter().map(crate::Family::len)).iter().enumerate()
+    {
         let name = || shape.definition_name(k);
         let mut reads = record(shape, point, name, |r| model.def(row.family, row.index, r))?;
         if let Some(&later) = reads.definitions.iter().find(|&&d| d >= k) {

@@ -5,6 +5,7 @@ use super::ad::Pass;
 use super::record::{Recorded, RowReads, all_rows, support_of};
 use crate::model::{Family, Model, Point, Reader, Row, Shape, Slots};
 use crate::scalar::{Jet, Scalar};
+use num_dual::DualSVec64;
 use std::marker::PhantomData;
 use std::ops::Range;
 
@@ -30,6 +31,15 @@ impl LaneChoice for JetLanes {
             5..=8 => row.evaluate::<Jet<8>>(put),
             _ => row.evaluate::<Jet<16>>(put),
         }
+    }
+}
+
+/// num-dual's vector duals, eight lanes at a time.
+pub(super) struct NumDualLanes;
+
+impl LaneChoice for NumDualLanes {
+    fn evaluate<M: Model>(row: &LocalRow<'_, M>, put: &mut impl FnMut(usize, f64)) -> f64 {
+        row.evaluate::<DualSVec64<8>>(put)
     }
 }
 

@@ -1,5 +1,7 @@
 //! [`Counted`]: what an evaluation costs, in operations instead of seconds.
 
+#![allow(clippy::suspicious_arithmetic_impl, reason = "every operation adds to a count")]
+
 use super::Scalar;
 use std::cell::Cell;
 use std::ops::{Add, Div, Mul, Neg, Sub};

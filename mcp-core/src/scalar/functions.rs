@@ -220,35 +220,34 @@ pub fn logsumexp<D: Scalar, I: IntoIterator>(
             largest = value;
         } else if value > f64::NEG_INFINITY {
             sum = sum + x.shift(-largest).exp();
+        } else {
+            sum = sum + absent(x);
         }
     }
     if let Some(infinite_or_nan) = unbounded {
-        Real(infinite_or_nan)
+        Real(infinite_or_nan + absent(sum))
     } else if largest == f64::NEG_INFINITY {
-        Real(D::constant(largest))
+        Real(sum.shift(largest))
     } else {
         Real(sum.ln().shift(largest))
     }
 }
 
+/// 0 with zero tangents, which still depends on `x`: the pattern must not depend on the point.
+fn absent<D: Scalar>(x: D) -> D {
+    D::select(D::constant(-1.0), x, D::constant(0.0))
+}
+
 /// `(a + b + √((a−b)² + 4ε²)) / 2`: differentiable, above `max(a, b)` by at most `width = ε`.
 #[inline]
-pub fn smooth_max<D: Scalar>(
-    a: impl Into<Real<D>>,
-    b: impl Into<Real<D>>,
-    width: f64,
-) -> Real<D> {
+pub fn smooth_max<D: Scalar>(a: impl Into<Real<D>>, b: impl Into<Real<D>>, width: f64) -> Real<D> {
     let (a, b) = (a.into(), b.into());
     0.5 * (a + b + (a - b).hypot(2.0 * width))
 }
 
 /// `(a + b − √((a−b)² + 4ε²)) / 2`: differentiable, below `min(a, b)` by at most `width = ε`.
 #[inline]
-pub fn smooth_min<D: Scalar>(
-    a: impl Into<Real<D>>,
-    b: impl Into<Real<D>>,
-    width: f64,
-) -> Real<D> {
+pub fn smooth_min<D: Scalar>(a: impl Into<Real<D>>, b: impl Into<Real<D>>, width: f64) -> Real<D> {
     let (a, b) = (a.into(), b.into());
     0.5 * (a + b - (a - b).hypot(2.0 * width))
 }

@@ -58,7 +58,18 @@ impl<const N: usize, T: Scalar> Jet<N, T> {
 /// `tangent · slope`, 0 where the tangent is 0.
 #[inline]
 fn tangent_product<T: Scalar>(tangent: T, slope: T) -> T {
-    if tangent.is_zero() { tangent } else { tangent * slope }
+    if tangent.is_zero() { tangent } else { tangent.limit_product(slope) }
+}
+
+/// `√(1−x²)`, as `√((1−x)(1+x))` for `|x| > 1/2`: each form cancels where the other does not, the
+/// first near ±1, the second in its derivative near 0.
+fn leg<T: Scalar>(x: T) -> T {
+    let square = if x.value().abs() > 0.5 {
+        (-x).shift(1.0).limit_product(x.shift(1.0))
+    } else {
+        (-x.limit_product(x)).shift(1.0)
+    };
+    square.sqrt()
 }
 
 impl<const N: usize, T: Scalar> Neg for Jet<N, T> {
@@ -87,12 +98,12 @@ impl<const N: usize, T: Scalar> Sub for Jet<N, T> {
 
 impl<const N: usize, T: Scalar> Mul for Jet<N, T> {
     type Output = Self;
+    /// Unchecked, being the commonest operation: an infinite factor makes zero tangents NaN, but the
+    /// product is not finite then either.
+    #[allow(clippy::suspicious_arithmetic_impl, reason = "the product rule adds")]
     #[inline]
     fn mul(self, other: Self) -> Self {
-        Jet {
-            v: self.v * other.v,
-            d: from_fn(|k| self.d[k] * other.v + other.d[k] * self.v),
-        }
+        Jet { v: self.v * other.v, d: from_fn(|k| self.d[k] * other.v + other.d[k] * self.v) }
     }
 }
 
@@ -106,8 +117,8 @@ impl<const N: usize, T: Scalar> Div for Jet<N, T> {
         if inverse.is_finite() && v.is_finite() {
             Jet { v, d: from_fn(|k| (self.d[k] - other.d[k] * v) * inverse) }
         } else {
-            let numerator = |k: usize| self.d[k] - tangent_product(other.d[k], v);
-            Jet { v, d: from_fn(|k| tangent_product(numerator(k), inverse)) }
+            let quotient = |a: T| if a.is_zero() { a } else { a / other.v };
+            Jet { v, d: from_fn(|k| quotient(self.d[k] - tangent_product(other.d[k], v))) }
         }
     }
 }
@@ -153,7 +164,11 @@ impl<const N: usize, T: Scalar> Scalar for Jet<N, T> {
                     sum = sum + a.d[k].scale(g);
                 }
             }
-            if arguments.iter().all(|a| a.d[k].is_zero()) { sum } else { sum.with_unknown_tangents() }
+            if arguments.iter().all(|a| a.d[k].is_zero()) {
+                sum
+            } else {
+                sum.with_unknown_tangents()
+            }
         });
         Jet { v, d }
     }
@@ -164,20 +179,32 @@ impl<const N: usize, T: Scalar> Scalar for Jet<N, T> {
     }
     #[inline]
     fn scale(self, c: f64) -> Self {
+        let v = self.v.scale(c);
         if c == 0.0 {
-            Jet { v: self.v.scale(c), d: [T::constant(0.0); N] }
+            Jet { v, d: [T::constant(0.0); N] }
+        } else if c.is_finite() {
+            Jet { v, d: from_fn(|k| self.d[k].scale(c)) }
         } else {
-            Jet { v: self.v.scale(c), d: from_fn(|k| self.d[k].scale(c)) }
+            self.chain(v, T::constant(c))
         }
     }
     #[inline]
     fn over(self, c: f64) -> Self {
-        Jet { v: self.v.over(c), d: from_fn(|k| self.d[k].over(c)) }
+        let v = self.v.over(c);
+        if c == 0.0 || c.is_nan() {
+            self.chain(v, T::constant(c.recip()))
+        } else {
+            Jet { v, d: from_fn(|k| self.d[k].over(c)) }
+        }
+    }
+    #[inline]
+    fn limit_product(self, other: Self) -> Self {
+        self.chain2(other, self.v.limit_product(other.v), other.v, self.v)
     }
     #[inline]
     fn recip(self) -> Self {
         let r = self.v.recip();
-        self.chain(r, -(r * r))
+        self.chain(r, -r.limit_product(r))
     }
 
     #[inline]
@@ -185,7 +212,8 @@ impl<const N: usize, T: Scalar> Scalar for Jet<N, T> {
         let slope = match n {
             0 => T::constant(0.0),
             1 => T::constant(1.0),
-            _ => self.v.powi(n.saturating_sub(1)).scale(f64::from(n)),
+            i32::MIN => (self.v.powi(n) / self.v).scale(f64::from(n)),
+            _ => self.v.powi(n - 1).scale(f64::from(n)),
         };
         self.chain(self.v.powi(n), slope)
     }
@@ -194,21 +222,29 @@ impl<const N: usize, T: Scalar> Scalar for Jet<N, T> {
         let v = self.v.powf(p);
         self.chain(v, self.v.powf_slope(p, v))
     }
+    /// The slope of `p w` with `w = xᵖ⁻¹` is `p (p−1) (w/x)`.
     #[inline]
-    fn powf_slope(self, p: f64, _v: Self) -> Self {
-        if p == 0.0 { Self::constant(0.0) } else { self.powf(p - 1.0).scale(p) }
+    fn powf_slope(self, p: f64, v: Self) -> Self {
+        if p == 0.0 {
+            return Self::constant(0.0);
+        }
+        let slope = self.v.powf_slope(p, v.v);
+        self.chain(slope, self.v.powf_slope(p - 1.0, slope.over(p)).scale(p))
     }
-    /// `∂ₓ xʸ = y xʸ⁻¹`, `∂ᵧ xʸ = xʸ ln x` with the limit 0 at `x = 0 < y`.
+    /// `∂ₓ xʸ = y (v/x)`: the exponent `y − 1` would be rounded; `∂ᵧ xʸ = xʸ ln x` with the limit 0
+    /// at `x = 0 < y` and `x = ∞, y < 0`.
     #[inline]
     fn pow(self, y: Self) -> Self {
         let v = self.v.pow(y.v);
-        let exponent = y.v.value();
-        let by_x = if exponent == 0.0 && y.v.is_zero() {
+        let (base, exponent) = (self.v.value(), y.v.value());
+        let by_x = if y.v.is_zero() {
             T::constant(0.0)
+        } else if v.value().is_normal() && (v.value() / base).is_normal() {
+            y.v * (v / self.v)
         } else {
             y.v * self.v.pow(y.v.shift(-1.0))
         };
-        let by_y = if self.v.value() == 0.0 && exponent > 0.0 {
+        let by_y = if base == 0.0 && exponent > 0.0 || base == f64::INFINITY && exponent < 0.0 {
             T::constant(0.0)
         } else {
             v * self.v.ln()
@@ -218,12 +254,13 @@ impl<const N: usize, T: Scalar> Scalar for Jet<N, T> {
     #[inline]
     fn sqrt(self) -> Self {
         let s = self.v.sqrt();
-        self.chain(s, s.recip().scale(0.5))
+        self.chain(s, s.abs().recip().scale(0.5))
     }
     #[inline]
     fn cbrt(self) -> Self {
         let c = self.v.cbrt();
-        self.chain(c, (c * c).scale(3.0).recip())
+        let r = c.recip();
+        self.chain(c, r.limit_product(r.over(3.0)))
     }
     #[inline]
     fn exp(self) -> Self {
@@ -247,7 +284,7 @@ impl<const N: usize, T: Scalar> Scalar for Jet<N, T> {
     #[inline]
     fn log10(self) -> Self {
         let v = self.v.log10();
-        let slope = self.v.abs().recip().scale(std::f64::consts::LOG10_E);
+        let slope = T::constant(std::f64::consts::LOG10_E) / self.v.abs();
         if v.value().is_nan() { self.chain(v, v) } else { self.chain(v, slope) }
     }
     #[inline]
@@ -262,38 +299,44 @@ impl<const N: usize, T: Scalar> Scalar for Jet<N, T> {
     #[inline]
     fn tan(self) -> Self {
         let t = self.v.tan();
-        self.chain(t, (t * t).shift(1.0))
+        self.chain(t, t.limit_product(t).shift(1.0))
     }
-    /// `asin' = 1/√((1−x)(1+x))`: no cancellation near ±1.
+    /// `asin' = 1/√(1−x²)`.
     #[inline]
     fn asin(self) -> Self {
-        let root = ((-self.v).shift(1.0) * self.v.shift(1.0)).sqrt();
-        self.chain(self.v.asin(), root.recip())
+        self.chain(self.v.asin(), leg(self.v).recip())
     }
     #[inline]
     fn acos(self) -> Self {
-        let root = ((-self.v).shift(1.0) * self.v.shift(1.0)).sqrt();
-        self.chain(self.v.acos(), -root.recip())
+        self.chain(self.v.acos(), -leg(self.v).recip())
     }
     /// `atan' = 1/(1+x²)`, for `|x| > 1` as `r²/(1+r²)` with `r = 1/x`: `x²` may overflow.
     #[inline]
     fn atan(self) -> Self {
         let slope = if self.v.value().abs() > 1.0 {
             let r = self.v.recip();
-            let rr = r * r;
+            let rr = r.limit_product(r);
             rr / rr.shift(1.0)
         } else {
-            (self.v * self.v).shift(1.0).recip()
+            self.v.limit_product(self.v).shift(1.0).recip()
         };
         self.chain(self.v.atan(), slope)
     }
-    /// `∂ = (x, −y) / (x² + y²)`, divided twice by the radius: the square may overflow.
+    /// `∂ = (x, −y) / (x² + y²)`, with the ratio `t` of the smaller to the larger argument: the
+    /// squares may overflow.
     #[inline]
     fn atan2(self, x: Self) -> Self {
-        let r = self.v.hypot(x.v);
-        let by_y = x.v / r / r;
-        let by_x = -(self.v / r / r);
-        self.chain2(x, self.v.atan2(x.v), by_y, by_x)
+        let (a, b) = (self.v, x.v);
+        let (by_y, by_x) = if a.value().abs() <= b.value().abs() {
+            let t = a / b;
+            let by_y = (b * t.limit_product(t).shift(1.0)).recip();
+            (by_y, -(t * by_y))
+        } else {
+            let t = b / a;
+            let by_x = (a * t.limit_product(t).shift(1.0)).recip();
+            (t * by_x, -by_x)
+        };
+        self.chain2(x, a.atan2(b), by_y, by_x)
     }
     #[inline]
     fn sinh(self) -> Self {
@@ -303,19 +346,34 @@ impl<const N: usize, T: Scalar> Scalar for Jet<N, T> {
     fn cosh(self) -> Self {
         self.chain(self.v.cosh(), self.v.sinh())
     }
-    /// `tanh' = sech²`: `1 − tanh²` would lose every digit for large arguments.
+    /// `tanh' = sech²`: `1 − tanh²` would lose every digit for large arguments. Beyond 20 it is
+    /// `4 exp(−2|x|)` to 4e-18, where `cosh` would overflow.
     #[inline]
     fn tanh(self) -> Self {
-        let sech = self.v.cosh().recip();
-        self.chain(self.v.tanh(), sech * sech)
+        let slope = if self.v.value().abs() > 20.0 {
+            self.v.abs().scale(-2.0).exp().scale(4.0)
+        } else {
+            let sech = self.v.cosh().recip();
+            sech.limit_product(sech)
+        };
+        self.chain(self.v.tanh(), slope)
     }
+    /// `∂ = (x, y)/r`, as `(1, t)/√(1 + t²)` with `t` the ratio of the smaller to the larger: `x/r`
+    /// would cancel in the second derivative.
     #[inline]
     fn hypot(self, y: Self) -> Self {
-        let r = self.v.hypot(y.v);
+        let (a, b) = (self.v, y.v);
+        let r = a.hypot(b);
         if r.value() == 0.0 {
-            Jet { v: r, d: [T::constant(0.0); N] }
+            return Jet { v: r, d: [T::constant(0.0); N] };
+        }
+        let (larger, t) = if a.value().abs() >= b.value().abs() { (a, b / a) } else { (b, a / b) };
+        let major =
+            t.limit_product(t).shift(1.0).sqrt().recip().scale(1_f64.copysign(larger.value()));
+        if a.value().abs() >= b.value().abs() {
+            self.chain2(y, r, major, t * major)
         } else {
-            self.chain2(y, r, self.v / r, y.v / r)
+            self.chain2(y, r, t * major, major)
         }
     }
     /// `(x ln x)' = ln x + 1`.
@@ -325,13 +383,21 @@ impl<const N: usize, T: Scalar> Scalar for Jet<N, T> {
     }
     #[inline]
     fn abs(self) -> Self {
-        if self.value() < 0.0 { -self } else { Jet { v: self.v.abs(), d: self.d } }
+        let v = self.v.abs();
+        if v.value().is_nan() {
+            self.chain(v, v)
+        } else if self.value() < 0.0 {
+            -self
+        } else {
+            Jet { v, d: self.d }
+        }
     }
     #[inline]
     fn max(self, other: Self) -> Self {
         let (a, b) = (self.value(), other.value());
         if a.is_nan() || b.is_nan() {
-            Self::constant(f64::NAN).with_unknown_tangents()
+            let v = self.v.max(other.v);
+            self.chain2(other, v, v, v)
         } else if a >= b {
             self
         } else {
@@ -342,7 +408,8 @@ impl<const N: usize, T: Scalar> Scalar for Jet<N, T> {
     fn min(self, other: Self) -> Self {
         let (a, b) = (self.value(), other.value());
         if a.is_nan() || b.is_nan() {
-            Self::constant(f64::NAN).with_unknown_tangents()
+            let v = self.v.min(other.v);
+            self.chain2(other, v, v, v)
         } else if a <= b {
             self
         } else {
@@ -351,10 +418,10 @@ impl<const N: usize, T: Scalar> Scalar for Jet<N, T> {
     }
     #[inline]
     fn select(s: Self, a: Self, b: Self) -> Self {
-        let s = s.value();
-        if s.is_nan() {
-            Self::constant(f64::NAN).with_unknown_tangents()
-        } else if s > 0.0 {
+        if s.value().is_nan() {
+            let v = T::select(s.v, a.v, b.v);
+            s.chain2(a.chain2(b, v, v, v), v, v, T::constant(1.0))
+        } else if s.value() > 0.0 {
             a
         } else {
             b

@@ -10,9 +10,13 @@
 //!
 //! Complementarity puts solutions at the corners of the domain (`x = 0`), so every function states
 //! its value and its derivative there. Values are bitwise those of `f64` in every arithmetic of
-//! this crate; num-dual's types agree to 4 ulp. Derivatives are written without cancellation, with
-//! error at most `4 eps (|f'| + |x f''|)`. **A zero tangent stays zero** even where the derivative
-//! is infinite, so a function at its corner does not poison variables it does not depend on.
+//! this crate; the functions of num-dual's types agree to 4 ulp. Derivatives are written without
+//! cancellation, with error at most `4 eps (|f'| + |x f''|)` and one subnormal number (for powers
+//! multiplied by `p` or `ln x`, as the power is). Nested jets keep the same bound one order up,
+//! `4 eps (|f''| + |x f'''|)`, where no intermediate result over- or underflows; for `atan2` and
+//! `hypot` relative to the largest second derivative, scaled by the arguments. **A zero tangent
+//! stays zero** even where the derivative is infinite, so a function at its corner does not poison
+//! variables it does not depend on.
 //!
 //! | function | at | value | derivative |
 //! | --- | --- | --- | --- |
@@ -20,44 +24,82 @@
 //! | `sqrt` | x < 0 | NaN | NaN |
 //! | `sqrt` | +inf | +inf | 0 |
 //! | `cbrt` | 0 | 0 | +inf |
+//! | `cbrt` | +-inf | +-inf | 0 |
 //! | `recip` | 0 | +inf | -inf |
+//! | `recip` | -0 | -inf | -inf |
 //! | `recip` | +-inf | 0 | 0 |
+//! | `recip` | abs(x) < 5e-309 | +-inf | -inf |
 //! | `pow(p)`, p > 1 | 0 | 0 | 0 |
-//! | `pow(1)` | 0 | 0 | 1 |
+//! | `pow(p)`, p > 1 | +inf | +inf | +inf |
+//! | `pow(1)` | 0, +-inf or NaN | x | 1 |
 //! | `pow(p)`, 0 < p < 1 | 0 | 0 | +inf |
-//! | `pow(0)` | any x, 0 included | 1 | 0 |
+//! | `pow(p)`, 0 < p < 1 | +inf | +inf | 0 |
+//! | `pow(0)` | any x: 0, +-inf and NaN included | 1 | 0 |
 //! | `pow(p)`, p < 0 | 0 | +inf | -inf |
+//! | `pow(p)`, p < 0 | +inf | 0 | 0 |
 //! | `pow(p)`, p not an integer | x < 0 | NaN | NaN |
 //! | `pow(p)` | result over- or underflows | +inf or 0 | limit of `p x^(p-1)` |
 //! | `powi(n)` | as `pow(p)` with integer p, any sign of x | | |
 //! | `pow(y)`, y a `Real` > 0 | 0 | 0 | by x as `pow(p)`; by y: 0 |
 //! | `pow(y)`, y = 0 | 0 | 1 | by x: 0; by y: -inf |
+//! | `pow(y)`, y < 0 | 0 | +inf | by x: -inf; by y: -inf |
+//! | `pow(y)`, y > 0 | +inf | +inf | by x as `pow(p)`; by y: +inf |
+//! | `pow(y)`, y < 0 | +inf | 0 | by x: 0; by y: 0 |
+//! | `pow(y)`, y = +inf | x > 1 | +inf | by x: +inf; by y: +inf |
+//! | `pow(y)`, y = -inf | x > 1 | 0 | by x: NaN; by y: 0 |
+//! | `pow(y)`, y = NaN | 1 | 1 | by x: NaN; by y: 0 |
 //! | `pow(y)` | x < 0, y an integer | x^y | by x: y x^(y-1); by y: NaN |
 //! | `exp` | > 709.8 | +inf | +inf |
 //! | `exp` | < -745.2 | 0 | 0 |
-//! | `exp_m1` | -inf | -1 | 0 |
+//! | `exp_m1` | > 709.8 | +inf | +inf |
+//! | `exp_m1` | < -745.2 | -1 | 0 |
 //! | `ln`, `log10` | 0 | -inf | +inf |
 //! | `ln`, `log10` | x < 0 | NaN | NaN |
+//! | `ln`, `log10` | +inf | +inf | 0 |
+//! | `ln`, `log10` | 0 < x < 2e-309 | finite | +inf |
 //! | `ln_1p` | -1 | -inf | +inf |
+//! | `ln_1p` | x < -1 | NaN | NaN |
+//! | `ln_1p` | +inf | +inf | 0 |
 //! | `asin` | +-1 | +-pi/2 | +inf |
 //! | `acos` | +-1 | 0, pi | -inf |
 //! | `asin`, `acos` | abs(x) > 1 | NaN | NaN |
 //! | `atan` | +-inf | +-pi/2 | 0 |
 //! | `sin`, `cos`, `tan` | +-inf | NaN | NaN |
 //! | `tanh` | abs(x) > 20 | +-1 | `sech^2 x`, down to 0 |
-//! | `sinh`, `cosh` | abs(x) > 711 | +-inf | +-inf |
+//! | `sinh` | abs(x) > 711 | +-inf | +inf |
+//! | `cosh` | abs(x) > 711 | +inf | +-inf |
 //! | `atan2(y, x)` | (0, 0) | as `f64` | NaN |
+//! | `atan2(y, x)` | (0, x) | 0 or pi | by y: 1/x; by x: 0 |
+//! | `atan2(y, x)` | (y, 0) | +-pi/2 | by y: 0; by x: -1/y |
+//! | `atan2(y, x)` | one of them +-inf | as `f64` | 0 |
+//! | `atan2(y, x)` | both +-inf | as `f64` | NaN |
+//! | `atan2(y, x)` | 1/x^2 over- or underflows | as `f64` | by y: 1/x; by x: 0 or -inf |
 //! | `hypot(x, y)` | (0, 0) | 0 | 0, an element of the generalised derivative |
+//! | `hypot(x, y)` | (x, 0) | abs(x) | by x: +-1; by y: 0 |
+//! | `hypot(x, y)` | (+-inf, y) | +inf | by x: +-1; by y: 0 |
+//! | `hypot(x, y)` | both +-inf | +inf | NaN |
+//! | `hypot(x, y)` | (inf, NaN) | +inf | NaN |
+//! | `hypot(x, y)` | result overflows | +inf | x/r, y/r |
+//! | `hypot(x, y)` | subnormal x and y | as `f64` | x/r, y/r |
 //! | `abs` | 0 | 0 | 1 (kink) |
+//! | `abs` | +-inf | +inf | +-1 |
 //! | `max`, `min` | tie | the common value | of the first argument (kink) |
+//! | `max`, `min` | an argument +-inf | of the winner | of the winner |
 //! | `clamp(l, u)` | at a limit | the limit | 1: ties go to x (kink) |
 //! | `clamp(l, u)` | l > u | l | of l |
 //! | `select(s, a, b)` | s = 0 | b | of b (kink where a and b differ) |
+//! | `select(s, a, b)` | s = NaN | NaN | NaN |
+//! | `smooth_max`, `smooth_min`, width 0 | tie | the common value | 1/2 of each |
 //! | `xlogx` | 0 | 0 | -inf |
 //! | `xlogx` | x < 0 | NaN | NaN |
+//! | `xlogx` | +inf | +inf | +inf |
 //! | `logsumexp` | no terms | -inf | 0 |
 //! | `logsumexp` | all terms -inf | -inf | 0 |
-//! | any function | NaN | NaN | NaN |
+//! | `logsumexp` | one term -inf | of the others | 0 by that term |
+//! | `logsumexp` | one term +inf | +inf | 1 by that term, 0 by the others |
+//! | `x / 0.0`, `x * inf` | x > 0 | +inf | +inf |
+//! | `x * 0.0` | finite x | 0 | 0, also of infinite tangents |
+//! | any other function | NaN | NaN | NaN |
 //!
 //! `max`, `min`, `clamp`, `abs` and `select` are **declared kinks**: they return one element of the
 //! generalised derivative, and they propagate NaN from any argument (`f64::max` does not).
@@ -74,6 +116,8 @@ mod num_dual;
 mod plain;
 mod real;
 mod sums;
+#[cfg(test)]
+mod tests;
 mod trace;
 
 pub use count::{Counted, OperationCounts, Tally};
@@ -96,6 +140,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
     message = "`{Self}` cannot be used as a number inside a model",
     note = "write the function as `fn f<D: Scalar>(x: Real<D>) -> Real<D>`"
 )]
+#[allow(clippy::return_self_not_must_use, reason = "models work with `Real`, which is must_use")]
 pub trait Scalar:
     Copy
     + Debug
@@ -133,6 +178,11 @@ pub trait Scalar:
     fn scale(self, c: f64) -> Self;
     /// `self / c`.
     fn over(self, c: f64) -> Self;
+    /// `self · other` where zero tangents stay zero even if the other factor is infinite: for
+    /// slopes at corners.
+    fn limit_product(self, other: Self) -> Self {
+        self * other
+    }
     /// `1 / self`.
     fn recip(self) -> Self;
 

@@ -55,36 +55,35 @@ impl Scalar for f64 {
         1.0 / self
     }
 
-    /// Repeated squaring in a fixed order: `f64::powi` may differ between builds.
+    /// Repeated squaring in a fixed order: `f64::powi` may differ between builds. A negative power
+    /// is `1/xⁿ`, or `(1/x)ⁿ` where `xⁿ` over- or underflows.
     #[inline]
     fn powi(self, n: i32) -> Self {
-        let mut power = 1.0;
-        let mut square = self;
-        let mut left = n.unsigned_abs();
-        while left > 0 {
-            if left & 1 == 1 {
-                power *= square;
-            }
-            left >>= 1;
-            if left > 0 {
-                square *= square;
-            }
+        let power = natural_power(self, n.unsigned_abs());
+        if n >= 0 {
+            power
+        } else if power.is_normal() {
+            1.0 / power
+        } else {
+            natural_power(1.0 / self, n.unsigned_abs())
         }
-        if n < 0 { 1.0 / power } else { power }
     }
     #[inline]
     fn powf(self, p: f64) -> Self {
         f64::powf(self, p)
     }
-    /// `p (v/x)`: no second power. Where `v` is not a normal number the quotient has lost digits
-    /// (or is 0/0), and the power is taken again.
+    /// `(p v)/x`: no second power. Where `v` or the product is not a normal number digits are lost
+    /// (or it is 0/0), and the quotient or the power is taken first.
     #[inline]
     fn powf_slope(self, p: f64, v: Self) -> Self {
         if p == 0.0 {
-            0.0
-        } else if v.is_normal() && self.is_normal() {
-            let quotient = v / self;
-            if quotient.is_normal() { p * quotient } else { p * f64::powf(self, p - 1.0) }
+            return 0.0;
+        }
+        let (product, quotient) = (p * v, v / self);
+        if v.is_normal() && product.is_normal() {
+            product / self
+        } else if v.is_normal() && quotient.is_normal() {
+            p * quotient
         } else {
             p * f64::powf(self, p - 1.0)
         }
@@ -203,4 +202,20 @@ impl Scalar for f64 {
             b
         }
     }
+}
+
+/// `xⁿ` by repeated squaring.
+#[inline]
+fn natural_power(x: f64, n: u32) -> f64 {
+    let (mut power, mut square, mut left) = (1.0, x, n);
+    while left > 0 {
+        if left & 1 == 1 {
+            power *= square;
+        }
+        left >>= 1;
+        if left > 0 {
+            square *= square;
+        }
+    }
+    power
 }

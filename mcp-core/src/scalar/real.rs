@@ -17,6 +17,7 @@ use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssi
 /// ```
 ///
 /// There is deliberately no comparison: see the [module page](super).
+#[must_use = "an expression has no effect of its own"]
 #[repr(transparent)]
 #[derive(Clone, Copy, Debug)]
 pub struct Real<D: Scalar>(pub(crate) D);

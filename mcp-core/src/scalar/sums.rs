@@ -46,7 +46,9 @@ impl<D: Scalar> Total for Real<D> {
 #[inline]
 pub fn sum<T: Total, I: IntoIterator>(set: I, mut term: impl FnMut(I::Item) -> T) -> T {
     let mut terms = set.into_iter();
-    let Some(first) = terms.next() else { return T::zero() };
+    let Some(first) = terms.next() else {
+        return T::zero();
+    };
     let first = term(first);
     terms.fold(first, |total, i| total + term(i))
 }
@@ -55,7 +57,9 @@ pub fn sum<T: Total, I: IntoIterator>(set: I, mut term: impl FnMut(I::Item) -> T
 #[inline]
 pub fn prod<T: Total, I: IntoIterator>(set: I, mut factor: impl FnMut(I::Item) -> T) -> T {
     let mut factors = set.into_iter();
-    let Some(first) = factors.next() else { return T::one() };
+    let Some(first) = factors.next() else {
+        return T::one();
+    };
     let first = factor(first);
     factors.fold(first, |total, i| total * factor(i))
 }

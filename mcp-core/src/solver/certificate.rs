@@ -239,7 +239,8 @@ impl Certifier {
                     count += 1;
                 }
             }
-            (count > 0).then(|| sum / count)
+            let mean = (count > 0).then(|| sum / count);
+            mean.map(|mean| i32::try_from(mean).expect("a mean of small exponents is small"))
         };
         // 2^-13 is about 10⁻⁴.
         let gauge = match (magnitude(z), magnitude(start)) {
@@ -248,8 +249,8 @@ impl Certifier {
             (None, None) => 0,
         };
         for ((weight, &z), &scale) in self.weight.iter_mut().zip(z).zip(&self.column_scale) {
-            let exponent = (gauge + i64::from(scale)).clamp(-1000, 1000);
-            *weight = z.abs() + 2_f64.powi(exponent as i32);
+            let exponent = (gauge + scale).clamp(-1000, 1000);
+            *weight = z.abs() + 2_f64.powi(exponent);
         }
     }
 
@@ -266,11 +267,7 @@ impl Certifier {
 
 /// The middle of three numbers with `below <= above`; NaN if any is.
 fn middle(above: f64, f: f64, below: f64) -> f64 {
-    if f.is_nan() || above.is_nan() || below.is_nan() {
-        f64::NAN
-    } else {
-        above.min(below.max(f))
-    }
+    if f.is_nan() || above.is_nan() || below.is_nan() { f64::NAN } else { above.min(below.max(f)) }
 }
 
 fn all_finite(values: &[f64]) -> bool {
@@ -280,7 +277,11 @@ fn all_finite(values: &[f64]) -> bool {
 /// `⌊log₂ |x|⌋` for a nonzero number.
 fn exponent(x: f64) -> i32 {
     let biased = (x.to_bits() >> 52 & 0x7ff) as i32;
-    if biased > 0 { biased - 1023 } else { -1022 - (x.to_bits() << 12).leading_zeros() as i32 - 1 }
+    if biased > 0 {
+        biased - 1023
+    } else {
+        -1023 - (x.to_bits() << 12).leading_zeros().cast_signed()
+    }
 }
 
 #[cfg(test)]

@@ -40,12 +40,11 @@ pub(super) fn line_search_newton<'a>(
             }
             searched = run.descent_slope().map(|slope| (direction, slope));
         }
-        match searched {
-            Some((direction, slope)) => run.search(direction, slope, true)?,
-            None => {
-                let (direction, slope) = run.gradient_direction()?;
-                run.search(direction, slope, false)?;
-            }
+        if let Some((direction, slope)) = searched {
+            run.search(direction, slope, true)?;
+        } else {
+            let (direction, slope) = run.gradient_direction()?;
+            run.search(direction, slope, false)?;
         }
     }
 }

@@ -219,7 +219,12 @@ impl Options {
         let stall = self.stall.unwrap_or_default();
         let rules = [
             ("tol", tol, positive(tol), "must be a positive number"),
-            ("tol_relative", self.tol_relative, positive(self.tol_relative), "must be a positive number"),
+            (
+                "tol_relative",
+                self.tol_relative,
+                positive(self.tol_relative),
+                "must be a positive number",
+            ),
             ("armijo.first_step", first_step, positive(first_step), "must be a positive number"),
             ("armijo.reduction", reduction, open_unit(reduction), "must lie between 0 and 1"),
             ("armijo.slope_share", slope_share, open_unit(slope_share), "must lie between 0 and 1"),
@@ -230,7 +235,12 @@ impl Options {
                 "must be positive and at most armijo.first_step",
             ),
             ("full_step", self.full_step, open_unit(self.full_step), "must lie between 0 and 1"),
-            ("descent.rho", self.descent.rho, positive(self.descent.rho), "must be a positive number"),
+            (
+                "descent.rho",
+                self.descent.rho,
+                positive(self.descent.rho),
+                "must be a positive number",
+            ),
             (
                 "descent.p",
                 self.descent.p,
@@ -284,14 +294,21 @@ mod tests {
     fn defaults_are_those_of_the_manual() {
         let newton = Options::new(Method::NewtonFb);
         assert_eq!((newton.tol, newton.max_iterations), (Some(1e-10), 1000));
-        assert_eq!((newton.armijo.smallest_step, newton.criterion), (1e-16, Criterion::NaturalResidual));
+        assert_eq!(
+            (newton.armijo.smallest_step, newton.criterion),
+            (1e-16, Criterion::NaturalResidual)
+        );
         let old = Options::new(Method::OldFb);
-        assert_eq!((old.tol, old.max_iterations, old.armijo.smallest_step), (Some(1e-7), 10, 1e-12));
+        assert_eq!(
+            (old.tol, old.max_iterations, old.armijo.smallest_step),
+            (Some(1e-7), 10, 1e-12)
+        );
     }
 
     #[test]
     fn every_option_out_of_range_is_named() {
-        let edits: [(&str, fn(&mut Options)); 14] = [
+        type Edit = fn(&mut Options);
+        let edits: [(&str, Edit); 14] = [
             ("tol", |o| o.tol = Some(f64::NAN)),
             ("tol", |o| o.tol = Some(0.0)),
             ("tol_relative", |o| o.tol_relative = -1.0),

@@ -210,8 +210,7 @@ impl<'a> Run<'a> {
         let work = &mut *self.work;
         let jacobian = (&work.jac[..], self.problem.pattern());
         let (a, b) = (&work.da[..], &work.db[..]);
-        let solved =
-            work.system.solve(jacobian, (a, b), &work.current.phi, &mut work.direction);
+        let solved = work.system.solve(jacobian, (a, b), &work.current.phi, &mut work.direction);
         self.system_is_singular = !solved;
         solved.then_some(Direction::FischerBurmeister)
     }
@@ -290,7 +289,12 @@ impl<'a> Run<'a> {
 
     /// Makes a candidate the iterate and ends the solve if it is a solution. False, with the old
     /// iterate back, if `J` is not finite there.
-    pub(super) fn take(&mut self, candidate: Candidate, t: f64, direction: Direction) -> Flow<bool> {
+    pub(super) fn take(
+        &mut self,
+        candidate: Candidate,
+        t: f64,
+        direction: Direction,
+    ) -> Flow<bool> {
         self.exchange(candidate);
         let before = (self.stats, self.last);
         self.stats.iterations += 1;

@@ -47,11 +47,7 @@ impl Matrix {
             }
         }
         let entry = |i, j| {
-            if i == j {
-                4.0
-            } else {
-                -1.0 + 0.3 * f64::from(u8::from(i < j))
-            }
+            if i == j { 4.0 } else { -1.0 + 0.3 * f64::from(u8::from(i < j)) }
         };
         Matrix::new(Pattern::from_rows(&rows), entry)
     }
@@ -72,9 +68,7 @@ impl Matrix {
 
     /// The largest absolute value.
     pub(super) fn largest(&self) -> f64 {
-        self.values
-            .iter()
-            .fold(0.0, |largest: f64, value| largest.max(value.abs()))
+        self.values.iter().fold(0.0, |largest: f64, value| largest.max(value.abs()))
     }
 }
 
@@ -83,10 +77,7 @@ pub(super) struct Random(pub(super) u64);
 
 impl Random {
     pub(super) fn step(&mut self) -> u64 {
-        self.0 = self
-            .0
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1);
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
         self.0 >> 33
     }
 
