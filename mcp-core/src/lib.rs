@@ -71,10 +71,13 @@ pub use model::{
     Block, BoundKind, Bounds, Definition, Equation, Family, Model, Parameter, Reader, Set, Shape,
     Values, Variable,
 };
-pub use problem::{AdProblem, Counting, Engine, Passes, Pattern, Problem};
+pub use problem::{
+    AdProblem, Comparison, Counting, DerivativeReport, Engine, Passes, Pattern, Problem,
+    WrongDerivative, check_derivatives,
+};
 pub use scalar::{
-    Counted, Jet, OperationCounts, Real, Scalar, Tally, Total, Trace, atan2, external, hypot,
-    logsumexp, max, min, prod, select, smooth_max, smooth_min, sum, when,
+    Counted, Jet, Magnitude, OperationCounts, Real, Scalar, Tally, Total, Trace, atan2, external,
+    hypot, logsumexp, max, min, prod, select, smooth_max, smooth_min, sum, when,
 };
 pub use solver::{
     Certificate, Criterion, Descent, Direction, DomainFault, Iteration, Method, Monitor, NotSolved,

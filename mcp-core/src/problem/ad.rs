@@ -2,11 +2,11 @@
 
 use super::lanes::Lanes;
 use super::record::{Recorded, record_rows, trace_whole};
-use super::rows::{JetLanes, NumDualLanes, Rows, pattern_of};
+use super::rows::{JetLanes, MagnitudeLanes, NumDualLanes, Rows, pattern_of};
 use super::{Pattern, Problem};
 use crate::error::ModelError;
 use crate::model::{Model, Reader, Shape};
-use crate::scalar::{Counted, Jet, OperationCounts, Real, Scalar, Tally};
+use crate::scalar::{Counted, Jet, Magnitude, OperationCounts, Real, Scalar, Tally};
 use num_dual::DualSVec64;
 
 /// Which arithmetic carries the derivatives.
@@ -75,6 +75,17 @@ impl<M: Model> AdProblem<M> {
                 },
             ),
         }
+    }
+
+    /// Instead of `J`, the sums of the absolute terms of its entries.
+    pub(super) fn of_magnitudes(model: M) -> Result<Self, ModelError> {
+        Self::assemble(
+            model,
+            |shape, pattern| Box::new(Lanes::<Magnitude<8>>::new(shape, pattern)),
+            |shape, recorded, pattern| {
+                Box::new(Rows::<MagnitudeLanes>::new(shape, recorded, pattern))
+            },
+        )
     }
 
     fn assemble(

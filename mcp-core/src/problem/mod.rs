@@ -14,6 +14,7 @@
 
 mod ad;
 mod counting;
+mod derivative_check;
 mod lanes;
 mod pattern;
 mod record;
@@ -21,6 +22,7 @@ mod rows;
 
 pub use ad::{AdProblem, Engine};
 pub use counting::{Counting, Passes};
+pub use derivative_check::{Comparison, DerivativeReport, WrongDerivative, check_derivatives};
 pub use pattern::{Pattern, WithDiagonal};
 
 use crate::model::Shape;

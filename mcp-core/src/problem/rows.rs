@@ -4,7 +4,7 @@ use super::Pattern;
 use super::ad::Pass;
 use super::record::{Recorded, RowReads, all_rows, support_of};
 use crate::model::{Family, Model, Point, Reader, Row, Shape, Slots};
-use crate::scalar::{Jet, Scalar};
+use crate::scalar::{Jet, Magnitude, Scalar};
 use num_dual::DualSVec64;
 use std::marker::PhantomData;
 use std::ops::Range;
@@ -40,6 +40,15 @@ pub(super) struct NumDualLanes;
 impl LaneChoice for NumDualLanes {
     fn evaluate<M: Model>(row: &LocalRow<'_, M>, put: &mut impl FnMut(usize, f64)) -> f64 {
         row.evaluate::<DualSVec64<8>>(put)
+    }
+}
+
+/// Sizes of the terms of every derivative instead of the derivatives.
+pub(super) struct MagnitudeLanes;
+
+impl LaneChoice for MagnitudeLanes {
+    fn evaluate<M: Model>(row: &LocalRow<'_, M>, put: &mut impl FnMut(usize, f64)) -> f64 {
+        row.evaluate::<Magnitude<8>>(put)
     }
 }
 
