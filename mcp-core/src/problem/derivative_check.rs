@@ -177,10 +177,10 @@ fn evaluate(problem: &mut dyn Problem, z: &[f64]) -> (Vec<f64>, Vec<f64>) {
 
 /// An entry that disagrees is worse than one that agrees; NaN is worst.
 fn keep_worst(worst: &mut Option<Comparison>, entry: Comparison) {
-    let rank = |c: &Comparison| (!c.agrees, c.relative_difference);
-    let is_worse = worst.as_ref().is_none_or(|kept| {
-        let (kept, new) = (rank(kept), rank(&entry));
-        new.0 > kept.0 || new.0 == kept.0 && !(new.1 <= kept.1)
+    let is_worse = worst.as_ref().is_none_or(|kept| match (kept.agrees, entry.agrees) {
+        (true, false) => true,
+        (false, true) => false,
+        _ => !(entry.relative_difference <= kept.relative_difference),
     });
     if is_worse {
         *worst = Some(entry);

@@ -97,7 +97,7 @@ impl<const N: usize> Scalar for Magnitude<N> {
         self.v == 0.0 && self.d.iter().all(|&d| d == 0.0)
     }
     fn is_finite(&self) -> bool {
-        self.v.is_finite() && self.d.iter().all(|d| d.is_finite())
+        self.v.is_finite() && self.d.iter().all(Scalar::is_finite)
     }
     fn with_unknown_tangents(self) -> Self {
         Magnitude { d: [f64::NAN; N], ..self }
