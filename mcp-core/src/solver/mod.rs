@@ -224,6 +224,12 @@ fn finish(run: &mut Run<'_>, status: Status, solution: &mut Solution) {
     solution.f.extend_from_slice(run.work.certifier.f());
     solution.stats = run.stats;
     solution.method = run.options.method;
-    solution.fault = run.fault.take().filter(|_| solution.status == Status::DomainError);
+    let fault = run.fault.filter(|_| solution.status == Status::DomainError);
+    solution.fault = fault.map(|fault| DomainFault {
+        equation: fault.equation,
+        variable: fault.variable,
+        value: fault.value,
+        z: run.work.fault_point.clone(),
+    });
     solution.start_was_moved = run.start_was_moved;
 }

@@ -3,7 +3,7 @@
 use super::certificate::{Certificate, Verdict};
 use super::monitor::{Direction, Iteration, Monitor};
 use super::options::{Criterion, Options};
-use super::solution::{DomainFault, Stats};
+use super::solution::Stats;
 use super::status::Status;
 use super::workspace::Workspace;
 use crate::globalise::StallWatch;
@@ -28,6 +28,14 @@ pub(super) enum Candidate {
     Trial,
 }
 
+/// A non-finite `F`, or entry of `J` by the given variable.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Fault {
+    pub(super) equation: usize,
+    pub(super) variable: Option<usize>,
+    pub(super) value: f64,
+}
+
 /// A solve in progress.
 pub(super) struct Run<'a> {
     pub(super) problem: &'a mut dyn Problem,
@@ -35,7 +43,8 @@ pub(super) struct Run<'a> {
     pub(super) work: &'a mut Workspace,
     pub(super) monitor: Option<&'a mut dyn Monitor>,
     pub(super) stats: Stats,
-    pub(super) fault: Option<DomainFault>,
+    /// The last non-finite value seen; its point stands in `work.fault_point`.
+    pub(super) fault: Option<Fault>,
     pub(super) start_was_moved: bool,
     /// The certificate of the point that ended the solve, if it was asked.
     pub(super) certificate: Option<Certificate>,
@@ -335,25 +344,23 @@ impl<'a> Run<'a> {
         };
         let pattern = self.problem.pattern();
         let column = pattern.column_starts().partition_point(|&start| start <= k) - 1;
-        self.fault = Some(DomainFault {
-            equation: pattern.rows()[k],
-            variable: Some(column),
-            value: work.jac_trial[k],
-            z: work.current.z.clone(),
-        });
+        let (equation, value) = (pattern.rows()[k], work.jac_trial[k]);
+        self.fault = Some(Fault { equation, variable: Some(column), value });
+        work.fault_point.copy_from_slice(&work.current.z);
         false
     }
 
     /// Notes the first non-finite `F` of a candidate, or of the iterate.
     fn note_fault_of_residual(&mut self, candidate: Option<Candidate>) {
+        let work = &mut *self.work;
         let point = match candidate {
-            None => &self.work.current,
-            Some(Candidate::Full) => &self.work.full,
-            Some(Candidate::Trial) => &self.work.trial,
+            None => &work.current,
+            Some(Candidate::Full) => &work.full,
+            Some(Candidate::Trial) => &work.trial,
         };
         if let Some(equation) = point.f.iter().position(|f| !f.is_finite()) {
-            let (value, z) = (point.f[equation], point.z.clone());
-            self.fault = Some(DomainFault { equation, variable: None, value, z });
+            self.fault = Some(Fault { equation, variable: None, value: point.f[equation] });
+            work.fault_point.copy_from_slice(&point.z);
         }
     }
 

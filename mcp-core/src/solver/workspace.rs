@@ -118,6 +118,8 @@ pub(super) struct Workspace {
     pub(super) full: Point,
     /// The iterate moved into the box: what is judged and returned.
     pub(super) answer: Vec<f64>,
+    /// Where `F` or `J` was last seen not to be finite.
+    pub(super) fault_point: Vec<f64>,
     /// `J` at the iterate.
     pub(super) jac: Vec<f64>,
     /// `J` at a trial point that is about to be accepted.
@@ -161,6 +163,7 @@ impl Workspace {
             trial: Point::default(),
             full: Point::default(),
             answer: vec![0.0; n],
+            fault_point: vec![0.0; n],
             jac: vec![0.0; nnz],
             jac_trial: vec![0.0; nnz],
             da: vec![0.0; n],
