@@ -59,6 +59,7 @@ pub mod linalg;
 pub mod model;
 pub mod ncp;
 pub mod problem;
+pub mod report;
 pub mod scalar;
 pub mod solver;
 #[cfg(feature = "testing")]
@@ -75,6 +76,10 @@ pub use problem::{
     AdProblem, Comparison, Counting, DerivativeReport, Engine, Passes, Pattern, Problem,
     WrongDerivative, check_derivatives,
 };
+pub use report::{
+    IterationLog, IterationRecord, IterationTable, Report, ReportError, State, Statement,
+    Statistics,
+};
 pub use scalar::{
     Counted, Jet, Magnitude, OperationCounts, Real, Scalar, Tally, Total, Trace, atan2, external,
     hypot, logsumexp, max, min, prod, select, smooth_max, smooth_min, sum, when,
@@ -83,6 +88,10 @@ pub use solver::{
     Certificate, Criterion, Descent, Direction, DomainFault, Iteration, Method, Monitor, NotSolved,
     Options, Solution, Solver, Stats, Status, UnknownMethod, Verdict, certify, solve, solve_from,
 };
+
+#[cfg(doctest)]
+#[doc = include_str!("../../README.md")]
+struct Readme;
 
 /// Makes a model of a function of fixed size.
 ///

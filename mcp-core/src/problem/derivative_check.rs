@@ -42,7 +42,8 @@ pub struct DerivativeReport {
     pub entries: usize,
     /// Entries at a kink of `F`, where differences mean nothing; engines were compared.
     pub kinks: usize,
-    /// Entries where `J` is not finite, or `F` is not finite on both sides; engines were compared.
+    /// Entries where `F` is not finite, here or on both sides, or `J` is not; where `F` is finite
+    /// here, engines were compared.
     pub beyond_domain: usize,
     /// The worst entry against num-dual.
     pub worst_engine: Option<Comparison>,
@@ -142,7 +143,8 @@ pub fn check_derivatives<M: Model>(model: &M, z: &[f64]) -> Result<DerivativeRep
             let (size, derivative) = (magnitude[k], jacobian[k]);
             let compare = |reference: f64, tolerance: f64| {
                 let difference = (derivative - reference).abs();
-                let same = derivative == reference || derivative.is_nan() && reference.is_nan();
+                let neither_finite = !derivative.is_finite() && !reference.is_finite();
+                let same = derivative == reference || neither_finite;
                 Comparison {
                     equation: problem.shape().equation_name(i),
                     variable: problem.shape().variable_name(j),
@@ -152,6 +154,10 @@ pub fn check_derivatives<M: Model>(model: &M, z: &[f64]) -> Result<DerivativeRep
                     agrees: same || difference <= tolerance,
                 }
             };
+            if !sweep.f[i].is_finite() {
+                report.beyond_domain += 1;
+                continue;
+            }
             let tolerance = ENGINE_TOLERANCE * size + f64::MIN_POSITIVE;
             keep_worst(&mut report.worst_engine, compare(reference[k], tolerance));
             match sweep.slope(i, size) {
@@ -230,8 +236,8 @@ impl Sweep {
         self.z[j] = centre;
     }
 
-    /// Derivative of `F_i` with the smallest estimated error: change from one step to the next plus
-    /// rounding. `size` is the sum of the absolute terms.
+    /// Derivative of `F_i` with the smallest estimated error: what the last changes from step to step
+    /// leave to come, plus rounding. `size` is the sum of the absolute terms.
     fn slope(&self, i: usize, size: f64) -> Slope {
         let f = self.f[i];
         let right = |s: &Step| (s.f_up[i] - f) / s.up;
@@ -248,9 +254,15 @@ impl Sweep {
         let mut best = (f64::NAN, f64::INFINITY);
         let sides: [&dyn Fn(&Step) -> f64; 3] = [&central, &right, &left];
         for side in sides {
-            for pair in self.steps.windows(2) {
-                let (coarse, fine) = (side(&pair[0]), side(&pair[1]));
-                let error = (fine - coarse).abs() + rounding(&pair[1]);
+            for (k, three) in self.steps.windows(3).enumerate() {
+                let [coarse, middle, fine] = [0, 1, 2].map(|k| side(&three[k]));
+                // The rest of a geometric series: at a corner of the domain it converges slowly.
+                let (before, last) = ((middle - coarse).abs(), (fine - middle).abs());
+                let ratio = (last / before).min(0.99);
+                let estimate = last / (1.0 - ratio) + rounding(&three[2]);
+                // Finer steps that contradict beyond their rounding.
+                let contradiction = |s: &Step| (side(s) - fine).abs() - 2.0 * rounding(s);
+                let error = self.steps[k + 3..].iter().map(contradiction).fold(estimate, f64::max);
                 if error < best.1 {
                     best = (fine, error);
                 }

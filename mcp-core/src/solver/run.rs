@@ -123,11 +123,11 @@ impl<'a> Run<'a> {
 
     /// Monitor, limits, stall; then `Da`, `Db` and `∇θ` at the iterate. Iterations begin here.
     pub(super) fn begin_iteration(&mut self) -> Flow {
-        self.report()?;
         self.work.linearise(self.problem.pattern());
         if self.options.criterion.needs_gradient() {
             self.end_if_solved()?;
         }
+        self.report()?;
         if self.stats.iterations >= self.options.max_iterations {
             return Break(Status::IterationLimit);
         }
@@ -176,14 +176,16 @@ impl<'a> Run<'a> {
             return Continue(());
         }
         let certificate = self.certify();
-        match certificate.verdict(self.options.tol, self.options.tol_relative) {
-            Verdict::Accepted => Break(Status::Solved),
-            Verdict::Asymptotic => Break(Status::SolvedAsymptotically),
+        let status = match certificate.verdict(self.options.tol, self.options.tol_relative) {
+            Verdict::Accepted => Status::Solved,
+            Verdict::Asymptotic => Status::SolvedAsymptotically,
             Verdict::Refused => {
                 self.certificate = None;
-                Continue(())
+                return Continue(());
             }
-        }
+        };
+        self.report()?;
+        Break(status)
     }
 
     /// NaN never meets a criterion.

@@ -3,6 +3,7 @@
 use super::certificate::Certificate;
 use super::options::Method;
 use super::status::Status;
+use std::fmt;
 
 /// Where a solve ended.
 #[derive(Clone, Debug, PartialEq)]
@@ -42,7 +43,9 @@ impl Solution {
 }
 
 /// A solve that did not end in a solution.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+///
+/// Its `Debug` is its `Display`, because that is what `main` prints of an error it returns.
+#[derive(Clone, PartialEq, thiserror::Error)]
 #[error(
     "not solved after {} iterations, natural residual {:.1e}: {}",
     .solution.stats.iterations,
@@ -52,6 +55,12 @@ impl Solution {
 pub struct NotSolved {
     /// Where it ended.
     pub solution: Box<Solution>,
+}
+
+impl fmt::Debug for NotSolved {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
+    }
 }
 
 /// What a solve cost, in counts. The certificate's own passes are counted apart.

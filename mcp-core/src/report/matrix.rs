@@ -1,0 +1,153 @@
+//! Families with two index sets as tables with row and column labels.
+
+use super::format::{Align, Grid, clean, number, width};
+use super::{Report, ReportError};
+use crate::error::{ModelError, nearest};
+use crate::model::Family;
+use std::io::Write;
+
+/// Widest block of columns before the rest goes below.
+const LINE: usize = 100;
+
+impl Report {
+    /// Writes a family with two index sets as a table, the first set down, the second across: levels
+    /// for a variable family, values of `F` for an equation family. Wide tables are cut into blocks
+    /// of about 100 characters.
+    ///
+    /// # Errors
+    /// [`ReportError::Model`] for a name that no variable or equation family has,
+    /// [`ReportError::NotTwoDimensional`], [`ReportError::Io`].
+    pub fn write_matrix(&self, family: &str, out: &mut impl Write) -> Result<(), ReportError> {
+        let shape = &self.shape;
+        let named = |f: &&Family| f.name() == family;
+        if let Some(family) = shape.variables().iter().find(named) {
+            let level = |k| self.solution.z[family.offset() + k];
+            return write_blocks(family, "level", level, out);
+        }
+        if let Some(family) = shape.equations().find(named) {
+            let value = |k| self.solution.f[shape.variable_of_row(family.offset() + k)];
+            return write_blocks(family, "F", value, out);
+        }
+        let names = shape.variables().iter().map(Family::name);
+        let names = names.chain(shape.equations().map(Family::name));
+        Err(ReportError::Model(ModelError::UnknownName {
+            kind: "variable or equation",
+            name: family.to_owned(),
+            nearest: nearest(family, names),
+        }))
+    }
+}
+
+fn write_blocks(
+    family: &Family,
+    what: &str,
+    value: impl Fn(usize) -> f64,
+    out: &mut impl Write,
+) -> Result<(), ReportError> {
+    let [down, across] = family.sets() else {
+        let (family, indices) = (family.name().to_owned(), family.sets().len());
+        return Err(ReportError::NotTwoDimensional { family, indices });
+    };
+    let unit =
+        if family.unit().is_empty() { String::new() } else { format!(" [{}]", family.unit()) };
+    let (name, down_name, across_name) =
+        (clean(family.name()), clean(down.name()), clean(across.name()));
+    writeln!(out, "{name}[{down_name}, {across_name}]: {what}{}", clean(&unit))?;
+    let labels: Vec<String> = down.labels().collect();
+    let label_width = labels.iter().map(|label| width(label)).max().unwrap_or(0);
+    let mut column = 0;
+    while column < across.len() {
+        let mut used = 1 + label_width.max(width(&down_name));
+        let mut block = Vec::new();
+        while column < across.len() {
+            let label = across.label(column);
+            let cells: Vec<String> =
+                (0..down.len()).map(|i| number(value(i * across.len() + column))).collect();
+            let widest = cells.iter().map(|cell| width(cell)).max().unwrap_or(0);
+            used += 2 + widest.max(width(&label));
+            if used > LINE && !block.is_empty() {
+                break;
+            }
+            block.push((label, cells));
+            column += 1;
+        }
+        let headers = block.iter().map(|(label, _)| (label.as_str(), Align::Point));
+        let mut grid = Grid::new([("", Align::Left)].into_iter().chain(headers));
+        for (i, label) in labels.iter().enumerate() {
+            let cells = block.iter().map(|(_, cells)| cells[i].clone());
+            grid.row([label.clone()].into_iter().chain(cells));
+        }
+        grid.write(out)?;
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::samples::{Broken, Linear};
+    use super::*;
+    use crate::model::{Equation, Set, Shape, Variable};
+    use crate::solver::Status;
+
+    fn report(markets: &[&str]) -> Report {
+        let plants = Set::new("plants", ["seattle", "san-diego"]).unwrap();
+        let markets = Set::new("markets", markets.iter().copied()).unwrap();
+        let shape = Shape::builder()
+            .variable(Variable::new("x").over(&[&plants, &markets]).lower(0.0).unit("cases"))
+            .variable(Variable::new("w").over(&[&plants]))
+            .equation(Equation::new("profit").over(&[&plants, &markets]).complements("x"))
+            .equation(Equation::new("supply").over(&[&plants]).complements("w"))
+            .build()
+            .unwrap();
+        let n = shape.n();
+        let z: Vec<f64> = (0..n).map(|i| if i == 1 { -0.0 } else { i as f64 * 12.5 }).collect();
+        let mut problem = Linear::diagonal(shape, &vec![1.0; n], &vec![0.0; n]);
+        let solution = problem.ended(&z, Status::IterationLimit);
+        Report::new(&mut problem, &solution).unwrap()
+    }
+
+    fn matrix(report: &Report, family: &str) -> String {
+        let mut out = Vec::new();
+        report.write_matrix(family, &mut out).unwrap();
+        String::from_utf8(out).unwrap()
+    }
+
+    #[test]
+    fn a_family_over_two_sets_has_row_and_column_labels() {
+        let report = report(&["new-york", "chicago", "東京"]);
+        let expected = "\
+x[plants, markets]: level [cases]
+            new-york  chicago  東京
+ seattle         0          0  25
+ san-diego      37.5       50  62.5
+";
+        assert_eq!(matrix(&report, "x"), expected);
+        assert!(matrix(&report, "profit").starts_with("profit[plants, markets]: F\n"));
+    }
+
+    #[test]
+    fn wide_families_are_cut_into_blocks() {
+        let labels: Vec<String> = (0..30).map(|k| format!("market{k}")).collect();
+        let labels: Vec<&str> = labels.iter().map(String::as_str).collect();
+        let text = matrix(&report(&labels), "x");
+        assert!(text.lines().all(|line| width(line) <= LINE), "{text}");
+        assert!(labels.iter().all(|label| text.contains(label)));
+        assert_eq!(text.lines().filter(|line| line.starts_with(" seattle")).count(), 4);
+    }
+
+    #[test]
+    fn other_families_are_refused_by_name() {
+        let report = report(&["a"]);
+        let refused = |family| report.write_matrix(family, &mut Vec::new()).unwrap_err();
+        assert_eq!(
+            refused("w").to_string(),
+            "`w` has 1 index sets; a table of rows and columns needs 2"
+        );
+        assert_eq!(
+            refused("profti").to_string(),
+            "there is no variable or equation `profti`; did you mean `profit`?"
+        );
+        let error = report.write_matrix("x", &mut Broken { lines: 1 }).unwrap_err();
+        assert!(matches!(error, ReportError::Io(_)));
+    }
+}
