@@ -7,12 +7,12 @@ pub enum Nonmonotone {
     /// The current merit: monotone descent. Default. Siconos type 0.
     #[default]
     Off,
-    /// The largest of the last merits ([GLL86]). Siconos type 1.
+    /// The largest of the last merits ([GLL86](crate#references)). Siconos type 1.
     Max,
     /// The larger of the current merit and the mean of the last ones. Siconos type 2, whose code
     /// takes the smaller, which is stricter than monotone.
     Mean,
-    /// A weighted mean of all merits so far ([ZH04], η = 0.85). Siconos type 3, which is not
+    /// A weighted mean of all merits so far ([ZH04](crate#references), η = 0.85). Siconos type 3, which is not
     /// implemented there. The memory is not used.
     ZhangHager,
 }
@@ -28,7 +28,7 @@ pub struct Reference {
     weight: f64,
 }
 
-/// Weight of the past in [`Nonmonotone::ZhangHager`]; [ZH04] uses 0.85 in its experiments.
+/// Weight of the past in [`Nonmonotone::ZhangHager`]; [ZH04](crate#references) uses 0.85 in its experiments.
 const ETA: f64 = 0.85;
 
 impl Reference {

@@ -1,4 +1,4 @@
-//! The Fischer–Burmeister function ([Fis92]), free of cancellation and overflow.
+//! The Fischer–Burmeister function ([Fis92](crate#references)), free of cancellation and overflow.
 
 /// `√(a² + b²)`, without the scaling of `hypot` where squares are harmless.
 #[inline]

@@ -5,7 +5,7 @@
 //! | [`fischer_burmeister`] | `a + b − √(a² + b²)` | merit `θ = ½‖Φ‖²`, Newton directions |
 //! | [`mid`] | `mid(z−l, F, z−u)`, for `[0, ∞)` the minimum | active-set directions, natural residual |
 //!
-//! On a box the Fischer–Burmeister function is nested, `φ(z−l, −φ(u−z, −F))` ([Bil95]); free
+//! On a box the Fischer–Burmeister function is nested, `φ(z−l, −φ(u−z, −F))` ([Bil95](crate#references)); free
 //! variables give `F`, fixed ones `z − l`: see [`Reformulation`]. Cost of one evaluation of `Φ` and
 //! its derivative: one or two square roots a row.
 

@@ -1,4 +1,4 @@
-//! The box as equations: `Φ(z) = 0` by the nested Fischer–Burmeister function ([Bil95]).
+//! The box as equations: `Φ(z) = 0` by the nested Fischer–Burmeister function ([Bil95](crate#references)).
 
 use super::fischer_burmeister::{
     fischer_burmeister as phi, fischer_burmeister_derivative as derivative, kink_element,
@@ -73,7 +73,7 @@ impl Reformulation {
     }
 
     /// `(Da_i, Db_i)` at a kink, the limit along `z + tζ`: `direction = ζ_i`, `slope = (Jζ)_i`
-    /// ([FP03] p. 808: `J ζ`, not `Jᵀ ζ`).
+    /// ([FP03](crate#references) p. 808: `J ζ`, not `Jᵀ ζ`).
     #[inline]
     pub fn kink_derivative(&self, direction: f64, slope: f64) -> (f64, f64) {
         // Into the box both kinks look alike: the distance to the bound grows with 1, the

@@ -197,7 +197,7 @@ impl Certifier {
     }
 
     /// Binary exponents of row and column scales that bring the largest entry of every row and
-    /// column of `J` near 1 ([Rui01], in integers; at most ten sweeps).
+    /// column of `J` near 1 ([Rui01](crate#references), in integers; at most ten sweeps).
     fn equilibrate(&mut self, pattern: &Pattern) {
         self.row_scale.fill(0);
         self.column_scale.fill(0);

@@ -2,9 +2,9 @@
 //!
 //! | method | direction | merit | reference |
 //! | --- | --- | --- | --- |
-//! | [`Method::NewtonFb`] | Newton on `Φ` | `½‖Φ‖²` | [FP03] VFBLSA, Siconos 700 |
-//! | [`Method::NewtonMinFb`] | Newton on the min map | `½‖Φ‖²` | [FP03] minFBLSA, Siconos 701 |
-//! | [`Method::OldFb`] | Newton on `Φ` | `½‖Φ‖²` | [KK98] Alg. 4.1, Siconos 710 |
+//! | [`Method::NewtonFb`]: [page](newton_fb) | Newton on `Φ` | `½‖Φ‖²` | [FP03](crate#references) VFBLSA, Siconos 700 |
+//! | [`Method::NewtonMinFb`]: [page](newton_min_fb) | Newton on the min map | `½‖Φ‖²` | [FP03](crate#references) minFBLSA, Siconos 701 |
+//! | [`Method::OldFb`]: [page](old_fb) | Newton on `Φ` | `½‖Φ‖²` | [KK98](crate#references) Alg. 4.1, Siconos 710 |
 //!
 //! They are the three solvers of the Siconos page on mixed complementarity problems, with its
 //! documented defaults, extended to free, lower, upper, boxed and fixed variables in any order.
@@ -29,9 +29,9 @@
 
 mod certificate;
 mod monitor;
-mod newton_fb;
-mod newton_min_fb;
-mod old_fb;
+pub mod newton_fb;
+pub mod newton_min_fb;
+pub mod old_fb;
 mod options;
 mod run;
 mod solution;

@@ -1,4 +1,4 @@
-//! Newton on the Fischer–Burmeister equations with line search: [FP03] algorithm VFBLSA, p. 834,
+//! Newton on the Fischer–Burmeister equations with line search: [FP03](crate#references) algorithm VFBLSA, p. 834,
 //! extended from `z >= 0` to boxes.
 //!
 //! ```text

@@ -1,4 +1,4 @@
-//! Newton direction of the min map, Fischer–Burmeister merit: [FP03] algorithm minFBLSA, p. 855,
+//! Newton direction of the min map, Fischer–Burmeister merit: [FP03](crate#references) algorithm minFBLSA, p. 855,
 //! extended to boxes.
 //!
 //! As [`newton_fb`](super::newton_fb), but step 2 solves

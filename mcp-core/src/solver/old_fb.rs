@@ -1,4 +1,4 @@
-//! The older semismooth Newton method: [KK98] Algorithm 4.1, extended to boxes.
+//! The older semismooth Newton method: [KK98](crate#references) Algorithm 4.1, extended to boxes.
 //!
 //! ```text
 //! 1  stop if the criterion is met and the certificate agrees

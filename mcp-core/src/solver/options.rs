@@ -11,14 +11,14 @@ use std::time::Duration;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Method {
-    /// Newton on the Fischer–Burmeister equations with line search ([FP03] VFBLSA, p. 834).
+    /// Newton on the Fischer–Burmeister equations with line search ([FP03](crate#references) VFBLSA, p. 834).
     /// Siconos: `SICONOS_MCP_NEWTON_FB_FBLSA`, id 700.
     #[default]
     NewtonFb,
-    /// Newton direction of the min map, Fischer–Burmeister merit ([FP03] minFBLSA, p. 855).
+    /// Newton direction of the min map, Fischer–Burmeister merit ([FP03](crate#references) minFBLSA, p. 855).
     /// Siconos: `SICONOS_MCP_NEWTON_MIN_FBLSA`, id 701.
     NewtonMinFb,
-    /// The older semismooth Newton method ([KK98] Algorithm 4.1). Siconos:
+    /// The older semismooth Newton method ([KK98](crate#references) Algorithm 4.1). Siconos:
     /// `SICONOS_MCP_OLD_FB`, id 710.
     OldFb,
 }

@@ -87,7 +87,7 @@ pub fn siconos_tridiagonal(equalities: usize, shifted: bool) -> Result<Known, Mo
     from_zero(format!("siconos-tridiagonal-{equalities}"), model, vec![])
 }
 
-/// Murty's family: upper triangular with 1 and 2, `q = −1`; solution `e_n` ([Mur78]).
+/// Murty's family: upper triangular with 1 and 2, `q = −1`; solution `e_n` ([Mur78](crate#references)).
 ///
 /// # Errors
 /// None in practice.
@@ -101,7 +101,7 @@ pub fn murty(n: usize) -> Result<Known, ModelError> {
 }
 
 /// Fathi's family: `MᵀM` of Murty's, symmetric positive definite, `q = −1`; solution `e_1`
-/// ([Fat79]).
+/// ([Fat79](crate#references)).
 ///
 /// # Errors
 /// None in practice.
@@ -110,7 +110,7 @@ pub fn fathi(n: usize) -> Result<Known, ModelError> {
     from_zero(format!("fathi-{n}"), Affine::new(0, vec![-1.0; n], m)?, vec![unit(n, 0)])
 }
 
-/// Ahn's family: tridiagonal `(1, 4, −2)`, `q = −1` ([Ahn83]).
+/// Ahn's family: tridiagonal `(1, 4, −2)`, `q = −1` ([Ahn83](crate#references)).
 ///
 /// # Errors
 /// None in practice.
@@ -124,7 +124,7 @@ pub fn ahn(n: usize) -> Result<Known, ModelError> {
     from_zero(format!("ahn-{n}"), Affine::new(0, vec![-1.0; n], m)?, vec![])
 }
 
-/// A P-matrix on which the pure Newton method of the min map cycles ([BG12]): `q = 1` from
+/// A P-matrix on which the pure Newton method of the min map cycles ([BG12](crate#references)): `q = 1` from
 /// `(−1, 0, 0)`, `q = −1` from `(1, 0, 0)`.
 ///
 /// # Errors
