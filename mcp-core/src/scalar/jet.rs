@@ -256,11 +256,18 @@ impl<const N: usize, T: Scalar> Scalar for Jet<N, T> {
         let s = self.v.sqrt();
         self.chain(s, s.abs().recip().scale(0.5))
     }
+    /// `∛x / (3x)`: one rounding of the root enters, not two as in `1/(3 ∛x²)`.
     #[inline]
     fn cbrt(self) -> Self {
         let c = self.v.cbrt();
-        let r = c.recip();
-        self.chain(c, r.limit_product(r.over(3.0)))
+        let x = self.v.value();
+        let slope = if x != 0.0 && x.is_finite() {
+            c.over(3.0) / self.v
+        } else {
+            let r = c.recip();
+            r.limit_product(r.over(3.0))
+        };
+        self.chain(c, slope)
     }
     #[inline]
     fn exp(self) -> Self {
@@ -346,17 +353,19 @@ impl<const N: usize, T: Scalar> Scalar for Jet<N, T> {
     fn cosh(self) -> Self {
         self.chain(self.v.cosh(), self.v.sinh())
     }
-    /// `tanh' = sech²`: `1 − tanh²` would lose every digit for large arguments. Beyond 20 it is
-    /// `4 exp(−2|x|)` to 4e-18, where `cosh` would overflow.
+    /// `tanh' = 1 − tanh²` for `|x| < 1/2`; elsewhere that cancels, and it is `4e/(1+e)²` with
+    /// `e = exp(−2|x|)`, which never overflows.
     #[inline]
     fn tanh(self) -> Self {
-        let slope = if self.v.value().abs() > 20.0 {
-            self.v.abs().scale(-2.0).exp().scale(4.0)
+        let t = self.v.tanh();
+        let slope = if t.value().abs() < 0.46 {
+            (-t.limit_product(t)).shift(1.0)
         } else {
-            let sech = self.v.cosh().recip();
-            sech.limit_product(sech)
+            let e = self.v.abs().scale(-2.0).exp();
+            let sum = e.shift(1.0);
+            e.scale(4.0) / sum.limit_product(sum)
         };
-        self.chain(self.v.tanh(), slope)
+        self.chain(t, slope)
     }
     /// `∂ = (x, y)/r`, as `(1, t)/√(1 + t²)` with `t` the ratio of the smaller to the larger: `x/r`
     /// would cancel in the second derivative.

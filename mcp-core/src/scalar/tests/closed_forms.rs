@@ -5,7 +5,7 @@ use super::{Binary, Random, Unary, points};
 use crate::scalar::{Jet, Scalar};
 
 /// `f', f'', f'''` at `x`; `None` outside the domain or the reach of the reference.
-fn closed_form(f: Unary, x: f64) -> Option<[Wide; 3]> {
+pub(super) fn closed_form(f: Unary, x: f64) -> Option<[Wide; 3]> {
     let w = Wide::from;
     let (one, z) = (w(1.0), w(x));
     let within = |condition: bool| condition.then_some(());
@@ -246,7 +246,7 @@ fn powers_are_exact_to_four_units_for_every_exponent() {
 }
 
 /// Gradient `(f_x, f_y)` and second derivatives `(f_xx, f_xy, f_yy)`.
-fn closed_form_of_two(f: Binary, x: f64, y: f64) -> Option<([Wide; 2], [Wide; 3])> {
+pub(super) fn closed_form_of_two(f: Binary, x: f64, y: f64) -> Option<([Wide; 2], [Wide; 3])> {
     let w = Wide::from;
     let (a, b) = (w(x), w(y));
     let squares = a * a + b * b;

@@ -1,9 +1,12 @@
 //! Jets against num-dual, an independent implementation of the same calculus.
 //!
 //! num-dual is called directly here, not through its [`Scalar`] implementation, whose fallback is a
-//! jet. Points where num-dual is wrong (not finite, or a value more than 4 ulp from `f64`) are left
-//! out and counted: the share that is compared must stay large.
+//! jet. Points where num-dual is wrong (a value more than 4 ulp from `f64`, a derivative more than
+//! 2 ulp from the closed form) are left out and counted: the share that is compared must stay
+//! large.
 
+use super::closed_forms::{closed_form, closed_form_of_two};
+use super::wide::Wide;
 use super::{Binary, Random, Unary, close, pairs, points};
 use crate::scalar::{Jet, Scalar};
 use num_dual::{Dual2_64, Dual64, DualNum, DualSVec64, HyperDual64};
@@ -53,14 +56,11 @@ fn ordinary_points(f: Unary) -> Vec<f64> {
     (0..2000).map(|_| draw()).collect()
 }
 
-/// ulp to which first derivatives agree. The default is 4; the exceptions are num-dual's own
-/// rounding (ours is checked against closed forms): it computes `cbrt` as `c · (1/x) · (1/3)`, `tan`
-/// and `tanh` by the quotient rule, `powf` as `x^(p−3) x x`.
-fn first_order_ulps(f: Unary) -> u64 {
-    match f {
-        Unary::Cbrt | Unary::Tan | Unary::Tanh | Unary::Powf(_) => 12,
-        _ => 4,
-    }
+/// Whether num-dual's derivative is right: within 2 ulp of the closed form. Its formulas round more
+/// often than ours for some functions (`tan` and `tanh` by the quotient rule, `powf` as
+/// `x^(p−3) x x`), so not every answer is.
+fn is_right(derivative: f64, exact: Wide) -> bool {
+    close(derivative, exact.round(), 2)
 }
 
 /// ulp to which second derivatives agree: num-dual's formulas round about twice as often.
@@ -70,22 +70,23 @@ const SECOND_ORDER_ULPS: u64 = 16;
 fn jets_agree_with_num_dual_in_every_lane_and_order() {
     for f in Unary::ALL {
         let all = ordinary_points(f);
-        let (mut compared, ulps) = (0, first_order_ulps(f));
+        let mut compared = 0;
         for &x in &all {
             let Some(dual) = raw(f, Dual64::new(x, 1.0)) else { continue };
-            if !Scalar::is_finite(&dual) || !close(dual.re, f.of(x), 4) {
+            let Some([exact, ..]) = closed_form(f, x) else { continue };
+            if !close(dual.re, f.of(x), 4) || !is_right(dual.eps, exact) {
                 continue;
             }
             compared += 1;
             let what = format!("{f:?}({x:e})");
             let jet = f.of(Jet::<2, Jet<1>>::variable(Jet::seed(x, 0), 1));
             let [passive, active] = jet.d;
-            assert!(close(active.v, dual.eps, ulps), "{what}: {:e}, {:e}", active.v, dual.eps);
+            assert!(close(active.v, dual.eps, 4), "{what}: {:e}, {:e}", active.v, dual.eps);
 
             let vector = raw(f, DualSVec64::<2>::from_re(x).derivative(1)).unwrap();
             let lanes = [0, 1].map(|k| vector.tangent(k));
             assert!(close(passive.v, lanes[0], 0), "{what}: {:e}, {:e}", passive.v, lanes[0]);
-            assert!(close(active.v, lanes[1], ulps), "{what}: {:e}, {:e}", active.v, lanes[1]);
+            assert!(close(active.v, lanes[1], 4), "{what}: {:e}, {:e}", active.v, lanes[1]);
 
             let second = raw(f, Dual2_64::new(x, 1.0, 0.0)).unwrap().v2;
             let mixed = raw(f, HyperDual64::new(x, 1.0, 1.0, 0.0)).unwrap().eps1eps2;
@@ -95,7 +96,7 @@ fn jets_agree_with_num_dual_in_every_lane_and_order() {
             }
         }
         let absent = matches!(f, Unary::Xlogx | Unary::Abs);
-        assert!(absent || compared * 100 >= all.len() * 97, "{f:?}: only {compared} compared");
+        assert!(absent || compared * 100 >= all.len() * 90, "{f:?}: only {compared} compared");
     }
 }
 
@@ -112,15 +113,16 @@ fn partial_derivatives_of_jets_agree_with_num_dual() {
             (DualSVec64::<2>::from_re(x).derivative(0), DualSVec64::from_re(y).derivative(1));
         let dual = if power { a.powd(b) } else { DualNum::atan2(&a, b) };
         let jet = f.of(Jet::<2>::seed(x, 0), Jet::seed(y, 1));
-        if close(dual.re, jet.v, 4) {
-            compared += 1;
-            for lane in 0..2 {
-                let (ours, other) = (jet.d[lane], dual.tangent(lane));
-                assert!(close(ours, other, 12), "{f:?}({x:e}, {y:e}): {ours:e}, {other:e}");
+        let Some((exact, _)) = closed_form_of_two(f, x, y) else { continue };
+        for lane in 0..2 {
+            let (ours, other) = (jet.d[lane], dual.tangent(lane));
+            if close(dual.re, jet.v, 4) && is_right(other, exact[lane]) {
+                compared += 1;
+                assert!(close(ours, other, 4), "{f:?}({x:e}, {y:e}): {ours:e}, {other:e}");
             }
         }
     }
-    assert!(compared > 3800, "only {compared} compared");
+    assert!(compared > 7800, "only {compared} compared");
 }
 
 /// The value of the [`Scalar`] implementation against `f64`, at every corner and everywhere else.
