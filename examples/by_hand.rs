@@ -139,7 +139,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!("\n          large country    small country");
     println!("shipping   home foreign     home foreign   iterations");
     for t in [0.0, 1.0, 2.0, 3.0, 4.0, 6.0, 8.0] {
-        problem.shape_mut().set_parameter("shipping", &[t])?;
+        problem.set_parameter("shipping", &[t])?;
         by_hand.shipping = t;
         let solution = solver.solve_from(&mut problem, &start)?.clone().solved()?;
         let same = solver.solve_from(&mut by_hand, &start)?.clone().solved()?;

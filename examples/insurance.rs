@@ -96,7 +96,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 
     println!("premium  coverage K     C_g     C_b   EV [%]");
     for gamma in [0.005, 0.01, 0.015, 0.02, 0.03, 0.04] {
-        problem.shape_mut().set_parameter("premium", &[gamma])?;
+        problem.set_parameter("premium", &[gamma])?;
         let z = solver.solve(&mut problem)?.clone().solved()?.z;
         let [eu, ev, c_g, c_b, k] = z[..] else { unreachable!("five variables") };
         println!("{gamma:>7.3}{k:>12.4}{c_g:>8.4}{c_b:>8.4}{ev:>9.4}");

@@ -88,7 +88,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 
     println!("endowment of good 3     y      p1      p2      p3   excess of good 3   of good 2");
     for b3 in [1.5, 3.0, 4.0, 4.5, 6.0] {
-        problem.shape_mut().set_parameter("endowment", &[0.0, 5.0, b3])?;
+        problem.set_parameter("endowment", &[0.0, 5.0, b3])?;
         let solution = solver.solve(&mut problem)?.clone().solved()?;
         let (z, excess) = (&solution.z, &solution.f[1..]);
         print!("{b3:>19.1}{:>6.2}{:>8.3}{:>8.3}{:>8.3}", z[0], z[1], z[2], z[3]);
@@ -99,7 +99,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
 
     println!("\ngood 1 as numeraire, from p = (1, 1, 1):");
-    problem.shape_mut().set_parameter("endowment", &ENDOWMENT)?;
+    problem.set_parameter("endowment", &ENDOWMENT)?;
     let unbounded = f64::INFINITY;
     problem
         .shape_mut()

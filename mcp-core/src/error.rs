@@ -24,6 +24,12 @@ pub enum ModelError {
         /// The name.
         name: String,
     },
+    /// A family has more than 2³¹ elements.
+    #[error("`{name}` has more than 2^31 elements")]
+    TooManyElements {
+        /// The family.
+        name: String,
+    },
     /// A set has a label twice.
     #[error("set `{set}` has the label `{label}` twice")]
     DuplicateLabel {

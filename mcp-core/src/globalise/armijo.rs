@@ -43,7 +43,7 @@ mod tests {
     fn steps_halve_down_to_the_smallest_and_end() {
         let armijo = Armijo { first_step: 2.0, ..Armijo::with_smallest_step(0.25) };
         assert_eq!(armijo.steps().collect::<Vec<_>>(), [2.0, 1.0, 0.5, 0.25]);
-        // [D5] of the Siconos defects: a smallest step of 0 made the search endless.
+        // In Siconos a smallest step of 0 makes the search endless.
         let endless = Armijo::with_smallest_step(0.0);
         assert!(endless.steps().count() < 1100, "the steps underflow to 0 and end");
     }

@@ -43,6 +43,7 @@ impl Reference {
     pub fn reset(&mut self) {
         self.history.clear();
         self.next = 0;
+        self.mean = 0.0;
         self.weight = 0.0;
     }
 
@@ -95,7 +96,7 @@ mod tests {
 
     #[test]
     fn the_mean_is_never_stricter_than_monotone_descent() {
-        // [D9] of the Siconos defects: min(θ, mean) instead of max(θ, mean).
+        // Siconos takes min(θ, mean) where it documents the maximum.
         assert_eq!(after(Nonmonotone::Mean, 4, &[1.0, 2.0, 3.0]), 3.0);
         assert_eq!(after(Nonmonotone::Mean, 4, &[3.0, 2.0, 1.0]), 2.0);
     }
@@ -108,10 +109,13 @@ mod tests {
 
     #[test]
     fn reset_forgets() {
-        let mut reference = Reference::new(Nonmonotone::Max, 3);
-        reference.accept(100.0);
-        reference.reset();
-        reference.accept(1.0);
-        assert_eq!(reference.value(1.0), 1.0);
+        for kind in [Nonmonotone::Max, Nonmonotone::Mean, Nonmonotone::ZhangHager] {
+            let mut reference = Reference::new(kind, 3);
+            reference.accept(f64::INFINITY);
+            reference.reset();
+            reference.accept(4.0);
+            reference.accept(2.0);
+            assert_eq!(reference.value(2.0), after(kind, 3, &[4.0, 2.0]));
+        }
     }
 }

@@ -144,6 +144,9 @@ impl Parameter {
     }
 }
 
+/// Elements a family may have: places of structural nonzeros are 32-bit numbers.
+const MOST_ELEMENTS: usize = 1 << 31;
+
 /// Collects declarations; [`build`](Self::build) checks them together.
 #[derive(Clone, Debug, Default)]
 pub struct ShapeBuilder {
@@ -186,7 +189,7 @@ impl ShapeBuilder {
     /// [`ModelError::UnusableBounds`], [`ModelError::CrossedBounds`],
     /// [`ModelError::StartNotFinite`], [`ModelError::ParameterNotFinite`],
     /// [`ModelError::UnknownName`], [`ModelError::PairSize`], [`ModelError::PairedTwice`],
-    /// [`ModelError::Unpaired`].
+    /// [`ModelError::Unpaired`], [`ModelError::TooManyElements`].
     pub fn build(self) -> Result<Shape, ModelError> {
         let ShapeBuilder { variables, equations, mut definitions, mut parameters } = self;
         let mut names = Vec::new();
@@ -197,6 +200,15 @@ impl ShapeBuilder {
         names.sort_unstable();
         if let Some(pair) = names.windows(2).find(|pair| pair[0] == pair[1]) {
             return Err(ModelError::DuplicateName { name: pair[0].clone() });
+        }
+
+        let families =
+            variables.iter().map(|v| &v.family).chain(equations.iter().map(|e| &e.family));
+        let families = families.chain(definitions.iter().map(|d| &d.family));
+        for family in families.chain(parameters.iter().map(|p| &p.family)) {
+            if family.len > MOST_ELEMENTS {
+                return Err(ModelError::TooManyElements { name: family.name.clone() });
+            }
         }
 
         let (variables, bounds, start) = number_variables(variables)?;

@@ -54,7 +54,9 @@ impl Family {
 
     pub(super) fn over(&mut self, sets: &[&Set]) {
         self.sets = sets.iter().map(|&set| set.clone()).collect();
-        self.len = self.sets.iter().map(Set::len).product();
+        // Too many elements are an error when the shape is built.
+        self.len =
+            self.sets.iter().fold(1, |product: usize, set| product.saturating_mul(set.len()));
     }
 
     /// Name of the family.

@@ -50,6 +50,10 @@ fn every_fault_names_its_offender() {
         ),
         (one().equation(eq("x")), "the name `x` is used twice"),
         (
+            one().equation(eq("f").over(&[&Set::count("a", usize::MAX), &Set::count("b", 2)])),
+            "`f` has more than 2^31 elements",
+        ),
+        (
             one().equation(Equation::new("f").complements("y")),
             "there is no variable `y`; did you mean `x`?",
         ),

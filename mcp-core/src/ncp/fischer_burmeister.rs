@@ -7,6 +7,12 @@ fn radius(a: f64, b: f64) -> f64 {
     if (1e-280..1e280).contains(&square) { square.sqrt() } else { a.hypot(b) }
 }
 
+/// Whether something made of two finite numbers is beyond the largest one.
+#[inline]
+fn overflows(a: f64, b: f64, made: f64) -> bool {
+    made.is_infinite() && a.is_finite() && b.is_finite()
+}
+
 /// `φ(a, b) = a + b − √(a² + b²)`, relative error at most 4 eps.
 ///
 /// For `a + b > 0` the two terms cancel, and `φ = 2ab / (a + b + r)` is evaluated as
@@ -20,6 +26,10 @@ fn radius(a: f64, b: f64) -> f64 {
 pub fn fischer_burmeister(a: f64, b: f64) -> f64 {
     let r = radius(a, b);
     let sum = a + b;
+    if overflows(a, b, sum + r) {
+        // φ(ta, tb) = t φ(a, b).
+        return 4.0 * fischer_burmeister(0.25 * a, 0.25 * b);
+    }
     if sum > 0.0 {
         let (larger, smaller) = if a > b { (a, b) } else { (b, a) };
         2.0 * larger * (smaller / (sum + r))
@@ -37,6 +47,9 @@ pub fn fischer_burmeister_derivative(a: f64, b: f64) -> [f64; 2] {
     let r = radius(a, b);
     if r == 0.0 {
         return kink_element(1.0, 1.0);
+    }
+    if overflows(a, b, r) {
+        return fischer_burmeister_derivative(0.25 * a, 0.25 * b);
     }
     // 1 − a/r = b² / (r (r + a)) for a > 0.
     let towards = |a: f64, b: f64| if a > 0.0 { (b / r) * (b / (r + a)) } else { 1.0 - a / r };

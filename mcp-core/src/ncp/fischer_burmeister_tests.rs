@@ -9,7 +9,7 @@ fn wide() -> impl Strategy<Value = f64> {
 
 #[test]
 fn textbook_cancellations_are_exact_to_the_last_digits() {
-    // (a, b, φ); [D8] of the Siconos defects: the literal formula returns 0, inf, 4 % errors.
+    // (a, b, φ): the literal formula, which Siconos uses, returns 0, inf or 4 % errors.
     let cases = [
         (1e8, 1e-9, 1e-9),
         (1e8, 1e-7, 1e-7),
@@ -29,6 +29,20 @@ fn textbook_cancellations_are_exact_to_the_last_digits() {
     assert!((huge / 1e200 - (2.0 - 2_f64.sqrt())).abs() < 1e-15);
     let tiny = fischer_burmeister(1e-200, 1e-200);
     assert!((tiny / 1e-200 - (2.0 - 2_f64.sqrt())).abs() < 1e-15);
+}
+
+#[test]
+fn the_largest_numbers_are_no_exception() {
+    const MAX: f64 = f64::MAX;
+    for b in [-1.0, 3.0] {
+        assert!((fischer_burmeister(MAX, b) / b - 1.0).abs() <= 4.0 * f64::EPSILON);
+    }
+    for (a, b) in [(1e308, 1e308), (MAX, MAX), (1e308, 5e307)] {
+        let scaled = fischer_burmeister(a / 16.0, b / 16.0) * 16.0;
+        assert!((fischer_burmeister(a, b) / scaled - 1.0).abs() < 1e-15);
+        let [da, db] = fischer_burmeister_derivative(a / 16.0, b / 16.0);
+        assert_eq!(fischer_burmeister_derivative(a, b), [da, db]);
+    }
 }
 
 #[test]

@@ -117,10 +117,29 @@ impl<M: Model> AdProblem<M> {
         &self.model
     }
 
-    /// Bounds, start and parameters of this problem, to be changed between solves:
-    /// [`Shape::set_bounds`], [`Shape::set_start`], [`Shape::set_parameter`].
-    pub fn shape_mut(&mut self) -> &mut Shape {
-        &mut self.shape
+    /// Changes the values of a parameter family of this problem: [`Shape::set_parameter`].
+    ///
+    /// # Errors
+    /// [`ModelError::UnknownName`], [`ModelError::Length`], [`ModelError::ParameterNotFinite`].
+    pub fn set_parameter(&mut self, name: &str, values: &[f64]) -> Result<(), ModelError> {
+        self.shape.set_parameter(name, values)
+    }
+
+    /// Changes the start of this problem: [`Shape::set_start`].
+    ///
+    /// # Errors
+    /// [`ModelError::Length`], [`ModelError::StartNotFinite`].
+    pub fn set_start(&mut self, start: &[f64]) -> Result<(), ModelError> {
+        self.shape.set_start(start)
+    }
+
+    /// Changes all bounds of this problem: [`Shape::set_bounds`].
+    ///
+    /// # Errors
+    /// [`ModelError::Length`], [`ModelError::UnusableBounds`], [`ModelError::CrossedBounds`],
+    /// [`ModelError::Unpaired`].
+    pub fn set_bounds(&mut self, lower: &[f64], upper: &[f64]) -> Result<(), ModelError> {
+        self.shape.set_bounds(lower, upper)
     }
 
     /// Whether all second derivatives exist.

@@ -108,7 +108,7 @@ fn parameters_are_reads_and_can_be_changed_and_differentiated() {
     // F_1 = c_1 + q² − price + price q with price = a − Σq: ∂F_1/∂a = q_1 − 1 = 0, ∂F_2/∂a = 1.
     let by_parameters = problem.parameter_jacobian(&z).unwrap();
     assert_eq!(by_parameters, [0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 1.0, 0.0, 1.0]);
-    problem.shape_mut().set_parameter("c", &[5.0, 0.0]).unwrap();
+    problem.set_parameter("c", &[5.0, 0.0]).unwrap();
     problem.evaluate(&z, Some(&mut f), None);
     assert_eq!(f[1], before + 5.0);
 }

@@ -11,6 +11,8 @@ const ENGINE_TOLERANCE: f64 = 64.0 * f64::EPSILON;
 const ERRORS: f64 = 8.0;
 /// and by this share of the absolute terms.
 const SHARE: f64 = 1e-9;
+/// Differences that can not tell a derivative to this share of its absolute terms are no evidence.
+const EVIDENCE: f64 = 1e-3;
 /// Steps are the scale of the variable times `4⁻ᵏ`.
 const STEPS: std::ops::RangeInclusive<i32> = 2..=13;
 /// Where left and right slope differ by more than this share at two small steps, there is a kink.
@@ -45,35 +47,55 @@ pub struct DerivativeReport {
     /// Entries where `F` is not finite, here or on both sides, or `J` is not; where `F` is finite
     /// here, engines were compared.
     pub beyond_domain: usize,
+    /// Entries too small beside the other terms of their equation for differences to tell; engines
+    /// were compared.
+    pub drowned: usize,
+    /// An equation and a variable it depends on although the pattern says it does not.
+    pub missing: Option<(String, String)>,
     /// The worst entry against num-dual.
     pub worst_engine: Option<Comparison>,
     /// The worst entry against differences.
     pub worst_difference: Option<Comparison>,
 }
 
-/// A derivative that another source contradicts.
+/// What is wrong with a Jacobian.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[error(
-    "∂ {} / ∂ {} is {:e}, but {source_name} gives {:e}",
-    .entry.equation, .entry.variable, .entry.derivative, .entry.reference
-)]
-pub struct WrongDerivative {
-    /// The entry.
-    pub entry: Comparison,
-    /// `num-dual` or `differences`.
-    pub source_name: &'static str,
+#[non_exhaustive]
+pub enum WrongDerivative {
+    /// Another source contradicts an entry.
+    #[error(
+        "∂ {} / ∂ {} is {:e}, but {source_name} gives {:e}",
+        .entry.equation, .entry.variable, .entry.derivative, .entry.reference
+    )]
+    Contradicted {
+        /// The worst entry.
+        entry: Comparison,
+        /// `num-dual` or `differences`.
+        source_name: &'static str,
+    },
+    /// An entry is missing from the pattern: the model reads a variable only sometimes.
+    #[error("`{equation}` depends on `{variable}`, which it did not read when it was recorded")]
+    Missing {
+        /// The equation.
+        equation: String,
+        /// The variable.
+        variable: String,
+    },
 }
 
 impl DerivativeReport {
     /// The report if every entry agrees with both sources.
     ///
     /// # Errors
-    /// [`WrongDerivative`] names the worst entry that does not.
+    /// [`WrongDerivative`] names the missing entry, or the worst one that does not agree.
     pub fn verdict(self) -> Result<Self, WrongDerivative> {
+        if let Some((equation, variable)) = self.missing.clone() {
+            return Err(WrongDerivative::Missing { equation, variable });
+        }
         let sources = [(&self.worst_engine, "num-dual"), (&self.worst_difference, "differences")];
         for (worst, source_name) in sources {
             if let Some(entry) = worst.as_ref().filter(|entry| !entry.agrees) {
-                return Err(WrongDerivative { entry: entry.clone(), source_name });
+                return Err(WrongDerivative::Contradicted { entry: entry.clone(), source_name });
             }
         }
         Ok(self)
@@ -94,7 +116,8 @@ impl fmt::Display for DerivativeReport {
                 )?;
             }
         }
-        write!(f, "; {} at kinks, {} beyond the domain", self.kinks, self.beyond_domain)
+        let DerivativeReport { kinks, beyond_domain, drowned, .. } = self;
+        write!(f, "; {kinks} at kinks, {beyond_domain} beyond the domain, {drowned} drowned")
     }
 }
 
@@ -132,12 +155,23 @@ pub fn check_derivatives<M: Model>(model: &M, z: &[f64]) -> Result<DerivativeRep
         entries: jacobian.len(),
         kinks: 0,
         beyond_domain: 0,
+        drowned: 0,
+        missing: None,
         worst_engine: None,
         worst_difference: None,
     };
-    let mut sweep = Sweep::new(z, f);
+    let mut terms: Vec<f64> = f.iter().map(|f| f.abs()).collect();
+    for (k, i, j) in problem.pattern().entries() {
+        let term = (magnitude[k] * z[j]).abs();
+        terms[i] += if term.is_finite() { term } else { 0.0 };
+    }
+    let mut sweep = Sweep::new(z, f, terms);
     for j in 0..z.len() {
         sweep.run(&mut problem, j);
+        if let Some(i) = sweep.depends(|i| problem.pattern().position(i, j).is_none()) {
+            let names = (problem.shape().equation_name(i), problem.shape().variable_name(j));
+            report.missing.get_or_insert(names);
+        }
         for k in problem.pattern().column(j) {
             let i = problem.pattern().rows()[k];
             let (size, derivative) = (magnitude[k], jacobian[k]);
@@ -164,6 +198,9 @@ pub fn check_derivatives<M: Model>(model: &M, z: &[f64]) -> Result<DerivativeRep
                 _ if !derivative.is_finite() => report.beyond_domain += 1,
                 Slope::Unknown => report.beyond_domain += 1,
                 Slope::Kink => report.kinks += 1,
+                Slope::Estimate { error, .. } if ERRORS * error > EVIDENCE * size => {
+                    report.drowned += 1;
+                }
                 Slope::Estimate { slope, error } => {
                     let tolerance = ERRORS * error + SHARE * size;
                     keep_worst(&mut report.worst_difference, compare(slope, tolerance));
@@ -197,6 +234,8 @@ fn keep_worst(worst: &mut Option<Comparison>, entry: Comparison) {
 struct Sweep {
     z: Vec<f64>,
     f: Vec<f64>,
+    /// Sum of the absolute terms of every `F_i`.
+    terms: Vec<f64>,
     steps: Vec<Step>,
 }
 
@@ -215,10 +254,10 @@ enum Slope {
 }
 
 impl Sweep {
-    fn new(z: &[f64], f: Vec<f64>) -> Self {
+    fn new(z: &[f64], f: Vec<f64>, terms: Vec<f64>) -> Self {
         let step =
             |_| Step { up: 0.0, down: 0.0, f_up: vec![0.0; f.len()], f_down: vec![0.0; f.len()] };
-        Sweep { z: z.to_vec(), steps: STEPS.map(step).collect(), f }
+        Sweep { z: z.to_vec(), steps: STEPS.map(step).collect(), f, terms }
     }
 
     fn run(&mut self, problem: &mut dyn Problem, j: usize) {
@@ -236,6 +275,14 @@ impl Sweep {
         self.z[j] = centre;
     }
 
+    /// The first of the equations `of` whose value changed at any step.
+    fn depends(&self, of: impl Fn(usize) -> bool) -> Option<usize> {
+        let same = |a: f64, b: f64| a == b || a.is_nan() && b.is_nan();
+        let changed =
+            |i: usize, s: &Step| !same(s.f_up[i], self.f[i]) || !same(s.f_down[i], self.f[i]);
+        (0..self.f.len()).find(|&i| of(i) && self.steps.iter().any(|s| changed(i, s)))
+    }
+
     /// Derivative of `F_i` with the smallest estimated error: what the last changes from step to step
     /// leave to come, plus rounding. `size` is the sum of the absolute terms.
     fn slope(&self, i: usize, size: f64) -> Slope {
@@ -246,7 +293,7 @@ impl Sweep {
         let rounding = |s: &Step| {
             let values = f.abs() + s.f_up[i].abs() + s.f_down[i].abs();
             let values = if values.is_finite() { values } else { f.abs() };
-            f64::EPSILON * (values + size * self.z.iter().fold(s.up, |m, z| m.max(z.abs()))) / s.up
+            f64::EPSILON * (values + self.terms[i] + size * s.up) / s.up
         };
         if self.is_kink(&right, &left, &rounding) {
             return Slope::Kink;

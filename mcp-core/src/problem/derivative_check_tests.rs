@@ -46,7 +46,7 @@ fn a_wrong_external_gradient_is_named() {
     let z = [1.5, 0.5];
     check_derivatives(&Right::new().unwrap(), &z).unwrap().verdict().unwrap();
     let error = check_derivatives(&Wrong::new().unwrap(), &z).unwrap().verdict().unwrap_err();
-    assert_eq!(error.source_name, "differences");
+    assert!(matches!(error, WrongDerivative::Contradicted { source_name: "differences", .. }));
     let message = "∂ f[y] / ∂ x is 3.00001e0, but differences gives 3e0";
     assert_eq!(error.to_string(), message);
 }
@@ -85,11 +85,48 @@ fn the_report_reads_as_a_sentence() {
     let report = check_derivatives(&Right::new().unwrap(), &[1.5, 0.5]).unwrap();
     let text = report.to_string();
     assert!(text.starts_with("4 entries, worst relative difference to num-dual 0e0"), "{text}");
-    assert!(text.ends_with("0 at kinks, 0 beyond the domain"), "{text}");
+    assert!(text.ends_with("0 at kinks, 0 beyond the domain, 0 drowned"), "{text}");
 }
 
 #[test]
 fn a_point_of_the_wrong_length_is_an_error() {
     let error = check_derivatives(&Right::new().unwrap(), &[1.0]).unwrap_err();
     assert_eq!(error.to_string(), "`start` has 1 entries, expected 2");
+}
+
+#[mcp_fn]
+fn two_scales<D: Scalar>([x, y]: [Real<D>; 2]) -> [Real<D>; 2] {
+    [x - 1.0, table(y, -20.0)]
+}
+
+#[mcp_fn]
+fn drowned<D: Scalar>([x, y]: [Real<D>; 2]) -> [Real<D>; 2] {
+    [x + y, table(y, -20.0) + x]
+}
+
+#[test]
+fn a_large_variable_elsewhere_does_not_hide_a_wrong_derivative() {
+    let model = TwoScales::new().unwrap();
+    assert!(check_derivatives(&model, &[1e15, 1.0]).unwrap().verdict().is_err());
+}
+
+#[test]
+fn an_entry_drowned_by_other_terms_is_counted_and_not_called_right() {
+    let model = Drowned::new().unwrap();
+    let report = check_derivatives(&model, &[1e15, 1.0]).unwrap().verdict().unwrap();
+    assert_eq!(report.drowned, 2, "∂f[x]/∂y and ∂f[y]/∂y beside 1e15");
+    assert!(check_derivatives(&model, &[1.0, 1.0]).unwrap().verdict().is_err());
+}
+
+/// Reads `y` only where `x > 1`: a branch on a value, which models must not have.
+#[mcp_fn]
+fn hidden<D: Scalar>([x, y]: [Real<D>; 2]) -> [Real<D>; 2] {
+    [if x.into_scalar().value() > 1.0 { x + 3.0 * y } else { x }, y]
+}
+
+#[test]
+fn a_variable_that_is_read_only_sometimes_is_named() {
+    let error = check_derivatives(&Hidden::new().unwrap(), &[2.0, 1.0]).unwrap().verdict();
+    let message = "`f[x]` depends on `y`, which it did not read when it was recorded";
+    assert_eq!(error.unwrap_err().to_string(), message);
 }

@@ -68,10 +68,8 @@ impl IterationRecord {
     }
 }
 
-/// A [`Monitor`] that keeps one [`IterationRecord`] for each iterate.
-///
-/// The point that ends a solve as a solution is judged before it would become an iterate: it is in
-/// the solution, not in the log.
+/// A [`Monitor`] that keeps one [`IterationRecord`] for each iterate, the start and the last one
+/// included.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct IterationLog {
     records: Vec<IterationRecord>,

@@ -238,16 +238,27 @@ fn absent<D: Scalar>(x: D) -> D {
     D::select(D::constant(-1.0), x, D::constant(0.0))
 }
 
-/// `(a + b + √((a−b)² + 4ε²)) / 2`: differentiable, above `max(a, b)` by at most `width = ε`.
+/// `(a + b + √((a−b)² + 4ε²)) / 2` with `width = ε`: differentiable, above `max(a, b)` by at most
+/// `ε`.
+///
+/// Evaluated as `max(a, b) + 2ε² / (|a−b| + √((a−b)² + 4ε²))`, which does not cancel.
 #[inline]
 pub fn smooth_max<D: Scalar>(a: impl Into<Real<D>>, b: impl Into<Real<D>>, width: f64) -> Real<D> {
     let (a, b) = (a.into(), b.into());
-    0.5 * (a + b + (a - b).hypot(2.0 * width))
+    if width == 0.0 { a.max(b) } else { a.max(b) + corner(a, b, width) }
 }
 
-/// `(a + b − √((a−b)² + 4ε²)) / 2`: differentiable, below `min(a, b)` by at most `width = ε`.
+/// `(a + b − √((a−b)² + 4ε²)) / 2` with `width = ε`: differentiable, below `min(a, b)` by at most
+/// `ε`. Evaluated like [`smooth_max`].
 #[inline]
 pub fn smooth_min<D: Scalar>(a: impl Into<Real<D>>, b: impl Into<Real<D>>, width: f64) -> Real<D> {
     let (a, b) = (a.into(), b.into());
-    0.5 * (a + b - (a - b).hypot(2.0 * width))
+    if width == 0.0 { a.min(b) } else { b.min(a) - corner(a, b, width) }
+}
+
+/// `2ε² / (|a−b| + √((a−b)² + 4ε²))`. Its kink at `a = b` cancels those of `max(a, b)` and
+/// `min(b, a)`: all three take the side `a >= b` there.
+fn corner<D: Scalar>(a: Real<D>, b: Real<D>, width: f64) -> Real<D> {
+    let distance = (a - b).abs();
+    2.0 * width * (width / (distance + distance.hypot(2.0 * width)))
 }

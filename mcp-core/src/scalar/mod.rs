@@ -89,7 +89,8 @@
 //! | `clamp(l, u)` | l > u | l | of l |
 //! | `select(s, a, b)` | s = 0 | b | of b (kink where a and b differ) |
 //! | `select(s, a, b)` | s = NaN | NaN | NaN |
-//! | `smooth_max`, `smooth_min`, width 0 | tie | the common value | 1/2 of each |
+//! | `smooth_max`, `smooth_min`, width 0 | tie | the common value | of the first argument (kink) |
+//! | `smooth_max`, `smooth_min`, width > 0 | tie | above, below by the width | 1/2 of each |
 //! | `xlogx` | 0 | 0 | -inf |
 //! | `xlogx` | x < 0 | NaN | NaN |
 //! | `xlogx` | +inf | +inf | +inf |
@@ -100,6 +101,9 @@
 //! | `x / 0.0`, `x * inf` | x > 0 | +inf | +inf |
 //! | `x * 0.0` | finite x | 0 | 0, also of infinite tangents |
 //! | any other function | NaN | NaN | NaN |
+//!
+//! A product is not guarded: an infinite *tangent* times a zero factor is NaN, so `x * x.sqrt()` at
+//! 0 has no derivative where `x.pow(1.5)` has one. Write the power.
 //!
 //! `max`, `min`, `clamp`, `abs` and `select` are **declared kinks**: they return one element of the
 //! generalised derivative, and they propagate NaN from any argument (`f64::max` does not).

@@ -93,7 +93,7 @@ pub fn solve_from<M: Model>(
 /// let mut problem = AdProblem::new(Demand(shape))?; // x − a ⟂ x >= 0
 /// let mut solver = Solver::new(Options::new(Method::NewtonFb))?;
 /// for a in [1.0, 2.0, 3.0] {
-///     problem.shape_mut().set_parameter("a", &[a])?;
+///     problem.set_parameter("a", &[a])?;
 ///     assert!((solver.solve(&mut problem)?.z[0] - a).abs() < 1e-9);
 /// }
 /// # Ok::<(), mcp_core::ModelError>(())

@@ -123,6 +123,9 @@ impl Default for Descent {
     }
 }
 
+/// Merits a non-monotone search may remember; the memory is allocated at once.
+const MOST_MEMORY: usize = 10_000;
+
 /// Everything that can be set for a solve. [`Options::new`] gives the defaults of a method.
 ///
 /// ```
@@ -161,7 +164,7 @@ pub struct Options {
     /// Reference value of the line search. Default off. Siconos:
     /// `SICONOS_IPARAM_LSA_NONMONOTONE_LS`.
     pub nonmonotone: Nonmonotone,
-    /// Merits a non-monotone search remembers. Default 8. Siconos:
+    /// Merits a non-monotone search remembers, 1 to 10000. Default 8. Siconos:
     /// `SICONOS_IPARAM_LSA_NONMONOTONE_LS_M`.
     pub memory: usize,
     /// Newton steps of the two Newton methods are taken without a search if they multiply the merit
@@ -254,11 +257,13 @@ impl Options {
                 return Err(ModelError::Option { option, value: value.to_string(), rule });
             }
         }
-        let counts = [("memory", self.memory), ("stall.iterations", stall.iterations)];
-        for (option, value) in counts {
-            if value == 0 {
-                let (value, rule) = (value.to_string(), "must be at least 1");
-                return Err(ModelError::Option { option, value, rule });
+        let counts = [
+            ("memory", self.memory, 1..=MOST_MEMORY, "must lie between 1 and 10000"),
+            ("stall.iterations", stall.iterations, 1..=usize::MAX, "must be at least 1"),
+        ];
+        for (option, value, range, rule) in counts {
+            if !range.contains(&value) {
+                return Err(ModelError::Option { option, value: value.to_string(), rule });
             }
         }
         Ok(())
@@ -308,20 +313,21 @@ mod tests {
     #[test]
     fn every_option_out_of_range_is_named() {
         type Edit = fn(&mut Options);
-        let edits: [(&str, Edit); 14] = [
+        let edits: [(&str, Edit); 15] = [
             ("tol", |o| o.tol = Some(f64::NAN)),
             ("tol", |o| o.tol = Some(0.0)),
             ("tol_relative", |o| o.tol_relative = -1.0),
             ("armijo.first_step", |o| o.armijo.first_step = f64::INFINITY),
             ("armijo.reduction", |o| o.armijo.reduction = 1.0),
             ("armijo.slope_share", |o| o.armijo.slope_share = 0.0),
-            // [D5] of the Siconos defects: alpha_min = 0 and a NaN merit never end.
+            // In Siconos alpha_min = 0 and a NaN merit never end.
             ("armijo.smallest_step", |o| o.armijo.smallest_step = 0.0),
             ("armijo.smallest_step", |o| o.armijo.smallest_step = 3.0),
             ("full_step", |o| o.full_step = 1.5),
             ("descent.rho", |o| o.descent.rho = f64::NAN),
             ("descent.p", |o| o.descent.p = 2.0),
             ("memory", |o| o.memory = 0),
+            ("memory", |o| o.memory = usize::MAX),
             ("stall.factor", |o| o.stall = Some(Stall { factor: 1.0, ..Stall::default() })),
             ("stall.iterations", |o| o.stall = Some(Stall { iterations: 0, ..Stall::default() })),
         ];

@@ -14,8 +14,8 @@ pub(super) enum Call {
     Two(Binary),
     Clamp,
     Select,
-    SmoothMax,
-    SmoothMin,
+    SmoothMax(f64),
+    SmoothMin(f64),
     LogSumExp,
     Scale(f64),
     Over(f64),
@@ -31,8 +31,8 @@ impl Call {
             Call::Two(f) => f.of(x[0], x[1]),
             Call::Clamp => real(0).clamp(real(1), real(2)).into_scalar(),
             Call::Select => D::select(x[0], x[1], x[2]),
-            Call::SmoothMax => smooth_max(real(0), real(1), 0.0).into_scalar(),
-            Call::SmoothMin => smooth_min(real(0), real(1), 0.0).into_scalar(),
+            Call::SmoothMax(width) => smooth_max(real(0), real(1), width).into_scalar(),
+            Call::SmoothMin(width) => smooth_min(real(0), real(1), width).into_scalar(),
             Call::LogSumExp => logsumexp(0..x.len(), real).into_scalar(),
             Call::Scale(c) => x[0].scale(c),
             Call::Over(c) => x[0].over(c),
@@ -390,10 +390,18 @@ pub(super) fn checks() -> Vec<(&'static str, Vec<Check>)> {
             vec![call(Call::Select, [NAN, 3.0, 4.0], NAN, [NAN, NAN, NAN])],
         ),
         (
-            "`smooth_max`, `smooth_min`, width 0 | tie | the common value | 1/2 of each",
+            "`smooth_max`, `smooth_min`, width 0 | tie | the common value | of the first argument \
+             (kink)",
             vec![
-                call(Call::SmoothMax, [3.0, 3.0], 3.0, [0.5, 0.5]),
-                call(Call::SmoothMin, [3.0, 3.0], 3.0, [0.5, 0.5]),
+                call(Call::SmoothMax(0.0), [3.0, 3.0], 3.0, [1.0, 0.0]),
+                call(Call::SmoothMin(0.0), [3.0, 3.0], 3.0, [1.0, 0.0]),
+            ],
+        ),
+        (
+            "`smooth_max`, `smooth_min`, width > 0 | tie | above, below by the width | 1/2 of each",
+            vec![
+                call(Call::SmoothMax(0.25), [3.0, 3.0], 3.25, [0.5, 0.5]),
+                call(Call::SmoothMin(0.25), [3.0, 3.0], 2.75, [0.5, 0.5]),
             ],
         ),
         ("`xlogx` | 0 | 0 | -inf", vec![one(Xlogx, 0.0, 0.0, -INF), one(Xlogx, -0.0, 0.0, -INF)]),
@@ -445,8 +453,8 @@ fn nan_checks() -> Vec<Check> {
         .flat_map(|f| [[NAN, 2.0], [2.0, NAN], [NAN, NAN]].map(|at| two(f, at, NAN, [NAN, NAN])));
     let others = [
         call(Call::Clamp, [NAN, 0.0, 1.0], NAN, [NAN; 3]),
-        call(Call::SmoothMax, [NAN, 0.0], NAN, [NAN; 2]),
-        call(Call::SmoothMin, [0.0, NAN], NAN, [NAN; 2]),
+        call(Call::SmoothMax(0.25), [NAN, 0.0], NAN, [NAN; 2]),
+        call(Call::SmoothMin(0.25), [0.0, NAN], NAN, [NAN; 2]),
     ];
     unary.chain(binary).chain(others).collect()
 }
