@@ -101,9 +101,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!("\ngood 1 as numeraire, from p = (1, 1, 1):");
     problem.set_parameter("endowment", &ENDOWMENT)?;
     let unbounded = f64::INFINITY;
-    problem
-        .shape_mut()
-        .set_bounds(&[0.0, 1.0, 0.0, 0.0], &[unbounded, 1.0, unbounded, unbounded])?;
+    problem.set_bounds(&[0.0, 1.0, 0.0, 0.0], &[unbounded, 1.0, unbounded, unbounded])?;
     for method in [Method::NewtonFb, Method::OldFb, Method::NewtonMinFb] {
         let solution = Solver::new(Options::new(method))?.solve(&mut problem)?.clone();
         println!("  {method:<14} p = {:.4?}: {}", &solution.z[1..], solution.status.name());

@@ -22,10 +22,11 @@ impl Armijo {
         Armijo { first_step: 1.0, reduction: 0.5, slope_share: 1e-4, smallest_step }
     }
 
-    /// Whether the trial merit is acceptable. False for NaN.
+    /// Whether the trial merit is acceptable. False for NaN, and for a step so short that rounding
+    /// swallows the decrease.
     #[inline]
     pub fn accepts(&self, trial: f64, reference: f64, step: f64, slope: f64) -> bool {
-        trial <= reference + self.slope_share * step * slope
+        trial < reference && trial <= reference + self.slope_share * step * slope
     }
 
     /// The steps to try, from the first to the smallest.

@@ -7,7 +7,7 @@
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Stall {
-    /// Iterations that may pass without progress. Default 50.
+    /// Iterations that may pass without progress. Default 100.
     pub iterations: usize,
     /// Progress is a merit below this factor times the last best. Default 0.9.
     pub factor: f64,
@@ -15,7 +15,7 @@ pub struct Stall {
 
 impl Default for Stall {
     fn default() -> Self {
-        Stall { iterations: 50, factor: 0.9 }
+        Stall { iterations: 100, factor: 0.9 }
     }
 }
 

@@ -48,7 +48,7 @@ pub fn fischer_burmeister_derivative(a: f64, b: f64) -> [f64; 2] {
     if r == 0.0 {
         return kink_element(1.0, 1.0);
     }
-    if overflows(a, b, r) {
+    if overflows(a, b, r + a.max(b)) {
         return fischer_burmeister_derivative(0.25 * a, 0.25 * b);
     }
     // 1 − a/r = b² / (r (r + a)) for a > 0.

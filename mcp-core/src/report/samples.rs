@@ -45,7 +45,7 @@ impl Linear {
             z: z.to_vec(),
             f,
             status,
-            certificate: certify(self, z),
+            certificate: certify(self, z).unwrap(),
             stats,
             method: Method::NewtonFb,
             fault: None,

@@ -10,11 +10,20 @@
 //!
 //! `r` has the units of the model: it accepts wrong points where `F` is in small units and can
 //! never accept right ones where it is in large units. `e` has none: `s_i` is the size of the terms
-//! of `F_i`, so scaling an equation or a variable changes neither. `τ_j` says what counts as small
-//! for variable `j`: the column scale of the equilibrated `J(z)`, in binary exponents, with its free
-//! scalar fixed by the magnitudes of `z` (at least 10⁻⁴ of those of the start). Cost: one pass and a
-//! few sweeps over the nonzeros.
+//! of `F_i`. Scaling equations by powers of two leaves `e` as it is, bit for bit; scaling variables
+//! changes it only through `τ`, by a small factor.
+//!
+//! `τ_j` says what counts as small for variable `j`, and matters only where `z_j` is near 0. It is
+//! the column scale of the equilibrated `J(z)`, in binary exponents, times one gauge for every block
+//! of variables that `J` connects: the geometric mean of `|z_j|` over the block in these scales, at
+//! least 10⁻⁴ of the same mean over the problem's start. Cost: one pass and a few sweeps over the
+//! nonzeros.
+//!
+//! What no test of this kind can tell: an equation that is satisfied because it no longer depends
+//! on anything (`0 = 0`) looks like a solution at infinity and is called asymptotic; the scale of a
+//! variable that is 0 at the point and at the start is known only up to what `J` says.
 
+use crate::error::ModelError;
 use crate::problem::{Pattern, Problem};
 
 /// What was found at a point.
@@ -34,7 +43,7 @@ pub struct Certificate {
     /// Whether `F` and `J` are finite.
     pub is_finite: bool,
     /// An equation that must hold but no longer depends on any variable: all its derivatives are
-    /// zero.
+    /// zero or subnormal.
     pub vanishing_row: Option<usize>,
     /// A variable beyond 10¹² times its start (or 1).
     pub diverging: Option<usize>,
@@ -69,24 +78,30 @@ impl Certificate {
     /// The definition of a solution: in the box, `F` and `J` finite, `e <= tol_relative`, and
     /// `r <= tol` if an absolute tolerance is set.
     ///
-    /// A vanishing row or a diverging variable makes it asymptotic; there the relative residual
-    /// means nothing and is not asked for.
+    /// Where `r <= tol` but an equation has lost its derivatives, or `e` stays large while a
+    /// variable runs away, it is asymptotic. Without an absolute tolerance `e` alone decides.
     pub fn verdict(&self, tol: Option<f64>, tol_relative: f64) -> Verdict {
         let in_box = self.bound_violation <= 0.0;
-        let absolute = tol.is_none_or(|tol| self.natural_residual <= tol);
-        if !(in_box && self.is_finite && absolute) {
+        let relative = self.relative_residual <= tol_relative;
+        let small = tol.map_or(relative, |tol| self.natural_residual <= tol);
+        if !(in_box && self.is_finite && small) {
             Verdict::Refused
-        } else if self.vanishing_row.is_some() || self.diverging.is_some() {
+        } else if self.vanishing_row.is_some() {
             Verdict::Asymptotic
-        } else if self.relative_residual <= tol_relative {
+        } else if relative {
             Verdict::Accepted
+        } else if self.diverging.is_some() {
+            Verdict::Asymptotic
         } else {
             Verdict::Refused
         }
     }
 }
 
-/// Judges `z`: computes `F` and `J` there and measures. `z` must have `n` entries.
+/// Judges `z`: computes `F` and `J` there and measures.
+///
+/// # Errors
+/// [`ModelError::Length`] if `z` does not have one entry for each variable.
 ///
 /// ```
 /// use mcp_core::{AdProblem, certify, Verdict};
@@ -101,14 +116,18 @@ impl Certificate {
 /// # let shape = Shape::builder().variable(Variable::new("x").lower(0.0))
 /// #     .equation(Equation::new("f").complements("x")).build()?;
 /// let mut problem = AdProblem::new(Line(shape))?; // 2x − 4 ⟂ x >= 0
-/// assert_eq!(certify(&mut problem, &[2.0]).verdict(None, 1e-8), Verdict::Accepted);
-/// assert_eq!(certify(&mut problem, &[2.1]).verdict(None, 1e-8), Verdict::Refused);
+/// assert_eq!(certify(&mut problem, &[2.0])?.verdict(None, 1e-8), Verdict::Accepted);
+/// assert_eq!(certify(&mut problem, &[2.1])?.verdict(None, 1e-8), Verdict::Refused);
 /// # Ok::<(), mcp_core::ModelError>(())
 /// ```
-pub fn certify(problem: &mut dyn Problem, z: &[f64]) -> Certificate {
+pub fn certify(problem: &mut dyn Problem, z: &[f64]) -> Result<Certificate, ModelError> {
+    let n = problem.shape().n();
+    if z.len() != n {
+        return Err(ModelError::Length { what: "z".to_owned(), expected: n, found: z.len() });
+    }
     let mut certifier = Certifier::default();
-    certifier.resize(problem.shape().n(), problem.pattern().nnz());
-    certifier.judge(problem, z)
+    certifier.resize(n, problem.pattern().nnz());
+    Ok(certifier.judge(problem, z))
 }
 
 /// Workspace of the judge.
@@ -120,8 +139,49 @@ pub(crate) struct Certifier {
     column_scale: Vec<i32>,
     row_max: Vec<i32>,
     column_max: Vec<i32>,
+    /// For every variable one further on the way to the representative of its block.
+    block: Vec<usize>,
+    magnitudes: Vec<Magnitudes>,
     weight: Vec<f64>,
     row_size: Vec<f64>,
+}
+
+/// Binary exponents of the variables of a block, in column scales: sums and numbers.
+#[derive(Clone, Copy, Debug, Default)]
+struct Magnitudes {
+    z: Mean,
+    start: Mean,
+}
+
+impl Magnitudes {
+    /// What the gauge of the block is: 0 if all is 0. 2⁻¹³ is about 10⁻⁴.
+    fn gauge(&self) -> i32 {
+        match (self.z.value(), self.start.value()) {
+            (Some(at_z), Some(at_start)) => at_z.max(at_start - 13),
+            (Some(gauge), None) | (None, Some(gauge)) => gauge,
+            (None, None) => 0,
+        }
+    }
+}
+
+#[derive(Clone, Copy, Debug, Default)]
+struct Mean {
+    sum: i64,
+    count: i64,
+}
+
+impl Mean {
+    fn add(&mut self, z: f64, scale: i32) {
+        if z != 0.0 && z.is_finite() {
+            self.sum += i64::from(exponent(z) - scale);
+            self.count += 1;
+        }
+    }
+
+    fn value(&self) -> Option<i32> {
+        let mean = (self.count > 0).then(|| self.sum / self.count)?;
+        Some(i32::try_from(mean).expect("a mean of small exponents is small"))
+    }
 }
 
 /// Exponent for "no nonzero seen yet".
@@ -138,6 +198,8 @@ impl Certifier {
         }
         self.weight.resize(n, 0.0);
         self.row_size.resize(n, 0.0);
+        self.block.resize(n, 0);
+        self.magnitudes.resize(n, Magnitudes::default());
     }
 
     /// `F` at the point judged last.
@@ -152,6 +214,7 @@ impl Certifier {
         let is_finite = all_finite(&self.f) && all_finite(&self.jac) && all_finite(z);
         if is_finite {
             self.equilibrate(pattern);
+            self.connect(pattern);
             self.weigh(z, shape.start());
             self.size_rows(pattern);
         }
@@ -182,7 +245,8 @@ impl Certifier {
                 continue;
             }
             let (w, s) = (self.weight[i], self.row_size[i]);
-            let f_relative = if f == 0.0 { 0.0 } else { f / s };
+            // A size that has overflowed must not make the residual 0.
+            let f_relative = if f == 0.0 { 0.0 } else { f / s.min(f64::MAX) };
             let relative = middle(above / w, f_relative, below / w).abs();
             if !(relative <= certificate.relative_residual) {
                 certificate.relative_residual = relative;
@@ -199,8 +263,17 @@ impl Certifier {
     /// Binary exponents of row and column scales that bring the largest entry of every row and
     /// column of `J` near 1 ([Rui01](crate#references), in integers; at most ten sweeps).
     fn equilibrate(&mut self, pattern: &Pattern) {
-        self.row_scale.fill(0);
         self.column_scale.fill(0);
+        // Rows first: in whatever units an equation is, the columns see the same matrix.
+        self.row_max.fill(NONE);
+        for (&i, &entry) in pattern.rows().iter().zip(&self.jac) {
+            if entry != 0.0 {
+                self.row_max[i] = self.row_max[i].max(exponent(entry));
+            }
+        }
+        for (scale, &max) in self.row_scale.iter_mut().zip(&self.row_max) {
+            *scale = if max == NONE { 0 } else { -max };
+        }
         for _ in 0..10 {
             self.row_max.fill(NONE);
             self.column_max.fill(NONE);
@@ -229,37 +302,55 @@ impl Certifier {
         }
     }
 
-    /// `w_j = |z_j| + τ_j`.
-    fn weigh(&mut self, z: &[f64], start: &[f64]) {
-        let magnitude = |z: &[f64]| {
-            let (mut sum, mut count) = (0_i64, 0_i64);
-            for (&z, &scale) in z.iter().zip(&self.column_scale) {
-                if z != 0.0 && z.is_finite() {
-                    sum += i64::from(exponent(z) - scale);
-                    count += 1;
+    /// Blocks of variables that nonzeros of `J` connect, equation `i` going with variable `i`.
+    fn connect(&mut self, pattern: &Pattern) {
+        for (j, block) in self.block.iter_mut().enumerate() {
+            *block = j;
+        }
+        for j in 0..pattern.n() {
+            for k in pattern.column(j) {
+                if self.jac[k] != 0.0 {
+                    let (a, b) = (self.representative(pattern.rows()[k]), self.representative(j));
+                    self.block[a.max(b)] = a.min(b);
                 }
             }
-            let mean = (count > 0).then(|| sum / count);
-            mean.map(|mean| i32::try_from(mean).expect("a mean of small exponents is small"))
-        };
-        // 2^-13 is about 10⁻⁴.
-        let gauge = match (magnitude(z), magnitude(start)) {
-            (Some(at_z), Some(at_start)) => at_z.max(at_start - 13),
-            (Some(gauge), None) | (None, Some(gauge)) => gauge,
-            (None, None) => 0,
-        };
-        for ((weight, &z), &scale) in self.weight.iter_mut().zip(z).zip(&self.column_scale) {
-            let exponent = (gauge + scale).clamp(-1000, 1000);
-            *weight = z.abs() + 2_f64.powi(exponent);
         }
     }
 
-    /// `s_i = Σ_j |J_ij| w_j`.
+    /// The smallest variable known to be in the block, with the way there halved.
+    fn representative(&mut self, mut j: usize) -> usize {
+        while self.block[j] != j {
+            self.block[j] = self.block[self.block[j]];
+            j = self.block[j];
+        }
+        j
+    }
+
+    /// `w_j = |z_j| + τ_j`.
+    fn weigh(&mut self, z: &[f64], start: &[f64]) {
+        self.magnitudes.fill(Magnitudes::default());
+        for j in 0..z.len() {
+            let block = self.representative(j);
+            self.magnitudes[block].z.add(z[j], self.column_scale[j]);
+            self.magnitudes[block].start.add(start[j], self.column_scale[j]);
+        }
+        for j in 0..z.len() {
+            let block = self.representative(j);
+            let gauge = self.magnitudes[block].gauge();
+            let exponent = (gauge + self.column_scale[j]).clamp(-1000, 1000);
+            self.weight[j] = z[j].abs() + 2_f64.powi(exponent);
+        }
+    }
+
+    /// `s_i = Σ_j |J_ij| w_j`. Subnormal derivatives count as zero: no solver can divide by them.
     fn size_rows(&mut self, pattern: &Pattern) {
         self.row_size.fill(0.0);
         for j in 0..pattern.n() {
             for k in pattern.column(j) {
-                self.row_size[pattern.rows()[k]] += self.jac[k].abs() * self.weight[j];
+                let size = self.jac[k].abs();
+                if size >= f64::MIN_POSITIVE {
+                    self.row_size[pattern.rows()[k]] += size * self.weight[j];
+                }
             }
         }
     }

@@ -20,8 +20,9 @@
 //! - `φ` is evaluated without cancellation; the kink element uses `J ζ`, not `Jᵀ ζ`.
 //! - A singular system falls back to the gradient in all three methods.
 //! - The slope of the line search always belongs to the direction taken.
-//! - A failed line search ends the solve; so do 50 iterations without progress
+//! - A failed line search ends the solve; so do 100 iterations without progress
 //!   ([`Options::stall`]).
+//! - A step must reduce the merit: one whose decrease rounding swallows is not accepted.
 //! - The first step of a search is 1 ([`Armijo::first_step`](crate::Armijo)), not 2, and the full
 //!   step is not evaluated twice.
 //! - Non-monotone reference values are fed by every accepted step, never below the current merit.
@@ -189,8 +190,10 @@ impl Solver {
         let mut work = match self.workspace.take() {
             Some(workspace) if workspace.fits(problem.pattern()) => workspace,
             other => {
-                let custom = self.custom.take().or(other.and_then(Workspace::into_custom));
-                Workspace::new(problem.pattern(), &self.options, custom)?
+                if let Some(linear) = other.and_then(Workspace::into_custom) {
+                    self.custom = Some(linear);
+                }
+                Workspace::new(problem.pattern(), &self.options, &mut self.custom)?
             }
         };
         work.set_bounds(problem.shape());

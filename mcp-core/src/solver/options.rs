@@ -172,8 +172,8 @@ pub struct Options {
     pub full_step: f64,
     /// Which Newton directions are used.
     pub descent: Descent,
-    /// When to give up for lack of progress; `None`: never. Default: 50 iterations without the
-    /// merit falling by a tenth.
+    /// When to give up for lack of progress; `None`: never. Default: 100 iterations without
+    /// the merit falling by a tenth.
     pub stall: Option<Stall>,
     /// The linear solver. Default: chosen by size and density.
     pub linear: Linear,

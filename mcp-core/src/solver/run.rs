@@ -5,7 +5,7 @@ use super::monitor::{Direction, Iteration, Monitor};
 use super::options::{Criterion, Options};
 use super::solution::Stats;
 use super::status::Status;
-use super::workspace::Workspace;
+use super::workspace::{Point, Workspace};
 use crate::globalise::StallWatch;
 use crate::problem::Problem;
 use std::ops::ControlFlow::{self, Break, Continue};
@@ -52,6 +52,8 @@ pub(super) struct Run<'a> {
     stall: StallWatch,
     last: (Direction, f64),
     system_is_singular: bool,
+    /// The iterate the monitor saw last.
+    reported: Option<usize>,
 }
 
 impl<'a> Run<'a> {
@@ -76,6 +78,7 @@ impl<'a> Run<'a> {
             stall: StallWatch::new(f64::INFINITY),
             last: (Direction::Start, 0.0),
             system_is_singular: false,
+            reported: None,
         }
     }
 
@@ -114,8 +117,9 @@ impl<'a> Run<'a> {
             let (l, u) = (bounds.lower()[i], bounds.upper()[i]);
             let inward = 0.1 * (u - l).min(10.0);
             if inward > 0.0 && (*z == l || *z == u) {
-                *z += if *z == l { inward } else { -inward };
-                self.start_was_moved = true;
+                let inside = if *z == l { l + inward } else { u - inward };
+                self.start_was_moved |= inside != *z;
+                *z = inside;
             }
         }
         self.start_was_moved
@@ -138,7 +142,7 @@ impl<'a> Run<'a> {
         }
         match self.options.stall {
             Some(rule) if self.stall.observe(self.work.current.merit, rule) => {
-                Break(self.status_without_progress())
+                Break(self.status_without_progress(Status::Stalled))
             }
             _ => Continue(()),
         }
@@ -147,6 +151,9 @@ impl<'a> Run<'a> {
     /// Tells the monitor about the iterate.
     fn report(&mut self) -> Flow {
         let Some(monitor) = &mut self.monitor else { return Continue(()) };
+        if self.reported.replace(self.stats.iterations) == Some(self.stats.iterations) {
+            return Continue(());
+        }
         let point = &self.work.current;
         let natural = point.natural(self.problem.shape());
         let iteration = Iteration {
@@ -184,7 +191,8 @@ impl<'a> Run<'a> {
                 return Continue(());
             }
         };
-        self.report()?;
+        // The last iterate is shown as well; the solve ends whatever the monitor answers.
+        let _ = self.report();
         Break(status)
     }
 
@@ -241,7 +249,7 @@ impl<'a> Run<'a> {
     /// `d = −∇θ` and its slope `−‖∇θ‖²`; ends the solve where the gradient vanishes.
     pub(super) fn gradient_direction(&mut self) -> Flow<(Direction, f64)> {
         if self.work.relative_gradient(self.problem.pattern()) <= ZERO_GRADIENT {
-            return Break(self.status_without_progress());
+            return Break(self.status_without_progress(Status::LineSearchFailed));
         }
         let work = &mut *self.work;
         for (d, g) in work.direction.iter_mut().zip(&work.gradient) {
@@ -269,7 +277,11 @@ impl<'a> Run<'a> {
             *to = z + t * d;
         }
         point.evaluate(self.problem, &work.rows);
-        point.merit
+        let merit = point.merit;
+        if merit.is_nan() {
+            self.note_fault_of_residual(Some(candidate));
+        }
+        merit
     }
 
     /// Searches along the direction; the full step, if it is known, is not evaluated again. Ends
@@ -277,7 +289,7 @@ impl<'a> Run<'a> {
     pub(super) fn search(&mut self, direction: Direction, slope: f64, full_is_known: bool) -> Flow {
         let armijo = self.options.armijo;
         let reference = self.work.reference.value(self.work.current.merit);
-        let mut last_was_finite = true;
+        let mut nothing_was_defined = true;
         for t in armijo.steps() {
             let candidate =
                 if full_is_known && t == 1.0 { Candidate::Full } else { Candidate::Trial };
@@ -285,17 +297,21 @@ impl<'a> Run<'a> {
                 Candidate::Full => self.work.full.merit,
                 Candidate::Trial => self.evaluate(Candidate::Trial, t),
             };
-            last_was_finite = !merit.is_nan();
-            if !last_was_finite {
-                self.note_fault_of_residual(Some(candidate));
-            } else if armijo.accepts(merit, reference, t, slope) {
-                if self.take(candidate, t, direction)? {
-                    return Continue(());
-                }
-                last_was_finite = false;
+            if merit.is_nan() {
+                continue;
             }
+            let accepted = armijo.accepts(merit, reference, t, slope);
+            if accepted && self.take(candidate, t, direction)? {
+                return Continue(());
+            }
+            // An accepted point that was not taken has no finite J.
+            nothing_was_defined &= accepted;
         }
-        Break(if last_was_finite { self.status_without_progress() } else { Status::DomainError })
+        Break(if nothing_was_defined {
+            Status::DomainError
+        } else {
+            self.status_without_progress(Status::LineSearchFailed)
+        })
     }
 
     /// Makes a candidate the iterate and ends the solve if it is a solution. False, with the old
@@ -323,6 +339,7 @@ impl<'a> Run<'a> {
         self.stats.gradient_steps = before.0.gradient_steps;
         self.last = before.1;
         self.exchange(candidate);
+        self.candidate(candidate).merit = f64::NAN;
         Continue(false)
     }
 
@@ -333,6 +350,13 @@ impl<'a> Run<'a> {
             Candidate::Trial => &mut work.trial,
         };
         std::mem::swap(&mut work.current, point);
+    }
+
+    fn candidate(&mut self, candidate: Candidate) -> &mut Point {
+        match candidate {
+            Candidate::Full => &mut self.work.full,
+            Candidate::Trial => &mut self.work.trial,
+        }
     }
 
     /// `J` at the iterate; the old one stays, and the fault is noted, if it is not finite.
@@ -360,21 +384,26 @@ impl<'a> Run<'a> {
             Some(Candidate::Full) => &work.full,
             Some(Candidate::Trial) => &work.trial,
         };
-        if let Some(equation) = point.f.iter().position(|f| !f.is_finite()) {
+        // With a finite F it is the merit that overflows: the largest Φ is to blame.
+        let largest = || {
+            (0..point.phi.len())
+                .max_by(|&i, &j| f64::total_cmp(&point.phi[i].abs(), &point.phi[j].abs()))
+        };
+        if let Some(equation) = point.f.iter().position(|f| !f.is_finite()).or_else(largest) {
             self.fault = Some(Fault { equation, variable: None, value: point.f[equation] });
             work.fault_point.copy_from_slice(&point.z);
         }
     }
 
-    /// Why the merit does not fall any further.
-    fn status_without_progress(&self) -> Status {
+    /// Why the merit does not fall any further: for lack of a direction, or `otherwise`.
+    fn status_without_progress(&self, otherwise: Status) -> Status {
         let gradient = self.work.relative_gradient(self.problem.pattern());
         if self.system_is_singular && gradient <= ZERO_GRADIENT {
             Status::SingularSystem
-        } else if gradient <= SMALL_GRADIENT {
+        } else if gradient.min(self.work.relative_slope()) <= SMALL_GRADIENT {
             Status::StationaryPoint
         } else {
-            Status::LineSearchFailed
+            otherwise
         }
     }
 }

@@ -12,6 +12,7 @@ use std::fmt;
 /// | `StationaryPoint` | `MCP_NoProgress` | `SLOW_PROGRESS` | 1 |
 /// | `SingularSystem` | (basis singular) | `NUMERICAL_ERROR` | 2, overwritten by 1 |
 /// | `LineSearchFailed` | `MCP_NoProgress` | `SLOW_PROGRESS` | 1 |
+/// | `Stalled` | `MCP_NoProgress` | `SLOW_PROGRESS` | 1 |
 /// | `IterationLimit` | `MCP_MajorIterationLimit` | `ITERATION_LIMIT` | 1 |
 /// | `TimeLimit` | `MCP_TimeLimit` | `TIME_LIMIT` | |
 /// | `DomainError` | `MCP_DomainError` | `NUMERICAL_ERROR` | 0 |
@@ -30,13 +31,16 @@ pub enum Status {
     StationaryPoint,
     /// The Newton system is singular and the gradient of the merit gives no direction either.
     SingularSystem,
-    /// No step along the direction reduces the merit, or it has stopped falling.
+    /// No step along the direction reduces the merit.
     LineSearchFailed,
+    /// The merit has hardly fallen for many iterations: [`Stall`](crate::Stall).
+    Stalled,
     /// The iteration limit was reached.
     IterationLimit,
     /// The time limit was reached.
     TimeLimit,
-    /// `F` or `J` is not finite at the start, or on every step that was tried.
+    /// `F` or `J` is not finite, or `F` too large to square, at the start or on every step that was
+    /// tried.
     DomainError,
     /// The monitor asked to stop.
     Interrupted,
@@ -44,12 +48,13 @@ pub enum Status {
 
 impl Status {
     /// All statuses.
-    pub const ALL: [Status; 9] = [
+    pub const ALL: [Status; 10] = [
         Status::Solved,
         Status::SolvedAsymptotically,
         Status::StationaryPoint,
         Status::SingularSystem,
         Status::LineSearchFailed,
+        Status::Stalled,
         Status::IterationLimit,
         Status::TimeLimit,
         Status::DomainError,
@@ -64,6 +69,7 @@ impl Status {
             Status::StationaryPoint => "stationary_point",
             Status::SingularSystem => "singular_system",
             Status::LineSearchFailed => "line_search_failed",
+            Status::Stalled => "stalled",
             Status::IterationLimit => "iteration_limit",
             Status::TimeLimit => "time_limit",
             Status::DomainError => "domain_error",
@@ -85,11 +91,13 @@ impl Status {
             Status::SingularSystem => {
                 "the Newton system is singular and the merit function has no descent direction"
             }
-            Status::LineSearchFailed => "the merit function could not be reduced any further",
+            Status::LineSearchFailed => "no step along the direction reduces the merit function",
+            Status::Stalled => "the merit function has hardly fallen for many iterations",
             Status::IterationLimit => "the iteration limit was reached",
             Status::TimeLimit => "the time limit was reached",
             Status::DomainError => {
-                "F or its Jacobian is not finite at the start or on every step that was tried"
+                "F or its Jacobian is not finite, or F too large to square, at the start or on every \
+                 step that was tried"
             }
             Status::Interrupted => "the monitor asked to stop",
         }
@@ -114,6 +122,10 @@ impl Status {
             Status::LineSearchFailed => {
                 "if the residual is near rounding, loosen the tolerance; otherwise try another \
                  start, another method or better units"
+            }
+            Status::Stalled => {
+                "try another start, another method or better units; if the residual was still \
+                 falling, raise the stall limit"
             }
             Status::IterationLimit => {
                 "allow more iterations if the residual was still falling, otherwise try another \

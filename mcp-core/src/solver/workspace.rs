@@ -9,7 +9,7 @@ use crate::model::Shape;
 use crate::ncp::{Branch, Reformulation, mid};
 use crate::problem::{Pattern, Problem, WithDiagonal};
 
-/// A point with `F`, `Φ` and the merit `θ = ½‖Φ‖²`; NaN where `F` is not finite.
+/// A point with `F`, `Φ` and the merit `θ = ½‖Φ‖²`; NaN where `F` is not finite or `θ` overflows.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Point {
     pub(super) z: Vec<f64>,
@@ -34,7 +34,7 @@ impl Point {
             square += self.phi[i] * self.phi[i];
         }
         self.merit = 0.5 * square;
-        if !self.f.iter().all(|f| f.is_finite()) {
+        if !(self.merit.is_finite() && self.f.iter().all(|f| f.is_finite())) {
             self.merit = f64::NAN;
         }
     }
@@ -134,7 +134,7 @@ pub(super) struct Workspace {
     pub(super) min: Vec<f64>,
     pub(super) min_a: Vec<f64>,
     pub(super) min_b: Vec<f64>,
-    /// `ζ` and `Jζ` at kinks.
+    /// `ζ` and `Jζ` at kinks; before that, how large the terms of `F` are.
     zeta: Vec<f64>,
     slope: Vec<f64>,
     pub(super) system: NewtonSystem,
@@ -143,19 +143,25 @@ pub(super) struct Workspace {
 }
 
 impl Workspace {
-    /// For the pattern of a problem, with the solver the options choose or the caller brought.
+    /// For the pattern of a problem, with the solver the options choose or the caller brought. That
+    /// one stays in `custom` if it refuses the pattern.
     pub(super) fn new(
         pattern: &Pattern,
         options: &Options,
-        custom: Option<Box<dyn LinearSolver>>,
+        custom: &mut Option<Box<dyn LinearSolver>>,
     ) -> Result<Self, ModelError> {
         let with_diagonal = pattern.with_diagonal();
+        if let Some(linear) = custom {
+            linear.analyse(&with_diagonal.pattern)?;
+        }
         let is_custom = custom.is_some();
-        let mut linear = match custom {
-            Some(linear) => linear,
-            None => options.linear.solver_for(&with_diagonal.pattern)?,
+        let linear = if let Some(linear) = custom.take() {
+            linear
+        } else {
+            let mut linear = options.linear.solver_for(&with_diagonal.pattern)?;
+            linear.analyse(&with_diagonal.pattern)?;
+            linear
         };
-        linear.analyse(&with_diagonal.pattern)?;
         let (n, nnz) = (pattern.n(), pattern.nnz());
         let mut workspace = Workspace {
             rows: Vec::with_capacity(n),
@@ -216,10 +222,16 @@ impl Workspace {
     /// `Da`, `Db` and `∇θ` at the iterate, from its `J`.
     pub(super) fn linearise(&mut self, pattern: &Pattern) {
         let Point { z, f, phi, .. } = &self.current;
-        let mut has_kinks = false;
+        let (mut has_kinks, mut has_sizes) = (false, false);
         for (i, row) in self.rows.iter().enumerate() {
             (self.da[i], self.db[i]) = row.derivative(z[i], f[i]);
-            let kink = row.kink(z[i], f[i], || row_size(pattern, &self.jac, i, z));
+            let kink = row.kink(z[i], f[i], || {
+                if !has_sizes {
+                    size_rows(pattern, &self.jac, z, &mut self.slope);
+                    has_sizes = true;
+                }
+                self.slope[i]
+            });
             self.zeta[i] = kink.unwrap_or(0.0);
             has_kinks |= kink.is_some();
         }
@@ -276,10 +288,21 @@ impl Workspace {
         }
         if terms > 0.0 { largest / terms } else { 0.0 }
     }
+
+    /// `max_j |∂θ/∂z_j| max(|z_j|, 1) / 2θ`: the relative change of the merit, to first order, when a
+    /// variable changes by its own size. Small where the Jacobian itself vanishes, which
+    /// [`relative_gradient`](Self::relative_gradient) does not see.
+    pub(super) fn relative_slope(&self) -> f64 {
+        let Point { z, merit, .. } = &self.current;
+        let change = |(g, z): (&f64, &f64)| g.abs() * z.abs().max(1.0);
+        self.gradient.iter().zip(z).map(change).fold(0.0, f64::max) / (2.0 * merit)
+    }
 }
 
-/// `Σ_j |J_ij z_j|`: how large the terms of `F_i` are.
-fn row_size(pattern: &Pattern, jac: &[f64], i: usize, z: &[f64]) -> f64 {
-    let entry = |(j, &z): (usize, &f64)| pattern.position(i, j).map_or(0.0, |k| (jac[k] * z).abs());
-    z.iter().enumerate().map(entry).sum()
+/// `Σ_j |J_ij z_j|`: how large the terms of `F_i` are, for all rows in one sweep.
+fn size_rows(pattern: &Pattern, jac: &[f64], z: &[f64], sizes: &mut [f64]) {
+    sizes.fill(0.0);
+    for (k, i, j) in pattern.entries() {
+        sizes[i] += (jac[k] * z[j]).abs();
+    }
 }

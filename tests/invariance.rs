@@ -1,0 +1,159 @@
+//! What does not change under what: bits under repetition, the relative residual under a change of
+//! units, and what does change: the iterates of the three classical methods.
+
+mod common;
+
+use common::{FREE, NONNEGATIVE, affine, dense, siconos, solve, solve_from, watch};
+use mcp_core::testing;
+use mcp_core::{AdProblem, Criterion, Engine, Method, Options, Problem, Status, certify};
+
+fn bits(values: &[f64]) -> Vec<u64> {
+    values.iter().map(|v| v.to_bits()).collect()
+}
+
+#[test]
+fn the_same_input_gives_the_same_bits() {
+    let mut problems = testing::all().unwrap();
+    problems.extend([testing::obstacle(14).unwrap(), testing::murty(130).unwrap()]);
+    for mut known in problems {
+        for start in known.starts.clone() {
+            for method in Method::ALL {
+                let run =
+                    |problem: &mut dyn Problem| watch(problem, Some(&start), &siconos(method));
+                let (one, path) = run(&mut known.problem);
+                let (other, again) = run(&mut known.problem);
+                let case = format!("{} {method}", known.name);
+                assert_eq!(one, other, "{case}");
+                assert_eq!(path, again, "{case}");
+                assert_eq!(bits(&one.z), bits(&other.z), "{case}");
+                assert_eq!(bits(&one.f), bits(&other.f), "{case}");
+            }
+        }
+    }
+}
+
+#[test]
+fn both_engines_take_the_same_path() {
+    for state in [[1.0, 10.0], [0.01, -9.0], [0.001, -3.0]] {
+        let model = testing::ZhuravlevIvanov::new(state).unwrap();
+        let mut jets = AdProblem::with_engine(model.clone(), Engine::Jet).unwrap();
+        let mut duals = AdProblem::with_engine(model, Engine::NumDual).unwrap();
+        for method in Method::ALL {
+            let one = solve(&mut jets, &siconos(method));
+            let other = solve(&mut duals, &siconos(method));
+            assert_eq!(one.status, Status::Solved, "{method} {state:?}");
+            assert_eq!((one.status, one.stats), (other.status, other.stats), "{method} {state:?}");
+            assert!(one.z.iter().zip(&other.z).all(|(a, b)| (a - b).abs() < 1e-9));
+        }
+    }
+}
+
+/// A full 4 × 4 affine problem in other units: `F_i r_i` as a function of `z_j c_j`.
+fn scaled(seed: usize, rows: [i32; 4], columns: [i32; 4]) -> (impl Problem, [f64; 4]) {
+    let noise = |k: usize| ((k * 7919 + seed * 104_729) % 1009) as f64 / 504.5 - 1.0;
+    let m: Vec<Vec<f64>> = (0..4)
+        .map(|i| (0..4).map(|j| noise(4 * i + j) * 2_f64.powi(rows[i] - columns[j])).collect())
+        .collect();
+    let q = (0..4).map(|i| noise(i + 40) * 2_f64.powi(rows[i])).collect();
+    let z = [1.5, 20.0, 0.3, 4.0];
+    let z: [f64; 4] = std::array::from_fn(|j| z[j] * 2_f64.powi(columns[j]));
+    (affine(m, q, &[FREE, NONNEGATIVE, FREE, NONNEGATIVE], &z), z)
+}
+
+#[test]
+fn the_relative_residual_has_no_units_up_to_a_small_factor() {
+    let relative = |seed, rows, columns| {
+        let (mut problem, z) = scaled(seed, rows, columns);
+        certify(&mut problem, &z).unwrap().relative_residual
+    };
+    let (mut worst, mut largest) = (1.0_f64, 0.0_f64);
+    for seed in 1..40 {
+        let own = relative(seed, [0; 4], [0; 4]);
+        assert!(own > 1e-3, "the point is no solution: {own}");
+        for k in [-30, -17, -4, 5, 18, 30] {
+            for units in [[k, 0, 0, 0], [0, k, 0, -k], [k, k, k, k], [k, -k, 3, 0]] {
+                for other in [relative(seed, units, [0; 4]), relative(seed, [0; 4], units)] {
+                    worst = worst.max(own / other).max(other / own);
+                }
+                let (mut problem, z) = scaled(seed, units, [0; 4]);
+                largest = largest.max(certify(&mut problem, &z).unwrap().natural_residual);
+            }
+        }
+    }
+    // Exponents are rounded to integers: two powers of two.
+    assert!(worst < 4.0, "a change of units moves the relative residual by a factor {worst}");
+    assert!(largest > 1e6, "the natural residual is in the units of the model");
+}
+
+/// A known limit, stated in the documentation: the merit adds squares of rows in different units.
+#[test]
+fn the_classical_methods_depend_on_the_units() {
+    let josephy = |scale: f64| {
+        dense(&[NONNEGATIVE; 4], &[0.0; 4], move |z, f, jac| {
+            let [x, y, v, w] = [z[0], z[1], z[2], z[3]];
+            f.copy_from_slice(&[
+                scale * (3.0 * x * x + 2.0 * x * y + 2.0 * y * y + v + 3.0 * w - 6.0),
+                2.0 * x * x + x + y * y + 3.0 * v + 2.0 * w - 2.0,
+                3.0 * x * x + x * y + 2.0 * y * y + 2.0 * v + 3.0 * w - 1.0,
+                x * x + 3.0 * y * y + 2.0 * v + 3.0 * w - 3.0,
+            ]);
+            jac.copy_from_slice(&[
+                scale * (6.0 * x + 2.0 * y),
+                4.0 * x + 1.0,
+                6.0 * x + y,
+                2.0 * x,
+                scale * (2.0 * x + 4.0 * y),
+                2.0 * y,
+                x + 4.0 * y,
+                6.0 * y,
+                scale,
+                3.0,
+                2.0,
+                2.0,
+                3.0 * scale,
+                2.0,
+                3.0,
+                3.0,
+            ]);
+        })
+    };
+    for method in Method::ALL {
+        let steps = |scale: f64| watch(&mut josephy(scale), None, &siconos(method)).1;
+        let (own, other) = (steps(1.0), steps(1024.0));
+        let zs = |path: &[common::Seen]| path.iter().map(|it| it.z.clone()).collect::<Vec<_>>();
+        assert_ne!(zs(&own), zs(&other), "{method}");
+        // The same scale twice: the same path.
+        assert_eq!(zs(&own), zs(&steps(1.0)), "{method}");
+    }
+}
+
+/// The absolute tolerance has units too: in large ones no point satisfies it, in small ones any.
+#[test]
+fn the_absolute_tolerance_depends_on_the_units_and_the_relative_one_does_not() {
+    let root = |scale: f64| {
+        dense(&[NONNEGATIVE], &[1.4], move |z, f, jac| {
+            f[0] = scale * (z[0] * z[0] - 2.0);
+            jac[0] = 2.0 * scale * z[0];
+        })
+    };
+    for method in [Method::NewtonFb, Method::NewtonMinFb] {
+        let absolute = Options::new(method);
+        let relative = Options::new(method).with(|o| o.tol = None);
+        assert_eq!(solve(&mut root(1e12), &absolute).status, Status::LineSearchFailed, "{method}");
+        for scale in [1e-40, 1e-12, 1.0, 1e12, 1e40] {
+            let solution = solve(&mut root(scale), &relative);
+            assert_eq!(solution.status, Status::Solved, "{method} {scale:e}");
+            assert!((solution.z[0] - 2.0_f64.sqrt()).abs() < 1e-7, "{method} {scale:e}");
+        }
+        // In units of 1e-12 the start meets every absolute criterion, and is not taken for solved.
+        for criterion in [Criterion::NaturalResidual, Criterion::FbNorm, Criterion::Stationarity] {
+            let o = absolute.clone().with(|o| o.criterion = criterion);
+            let solution = solve_from(&mut root(1e-12), &[1.4], &o);
+            assert!(
+                solution.is_solved() && solution.stats.iterations > 0,
+                "{method} {criterion:?}"
+            );
+            assert!((solution.z[0] - 2.0_f64.sqrt()).abs() < 1e-7, "{method}");
+        }
+    }
+}
