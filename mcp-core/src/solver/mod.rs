@@ -23,8 +23,9 @@
 //! - A failed line search ends the solve; so do 100 iterations without progress
 //!   ([`Options::stall`]).
 //! - A step must reduce the merit: one whose decrease rounding swallows is not accepted.
-//! - The first step of a search is 1 ([`Armijo::first_step`](crate::Armijo)), not 2, and the full
-//!   step is not evaluated twice.
+//! - The first step of a search is 1 ([`Armijo::first_step`](crate::Armijo)), as in the books, not
+//!   2, and the full step is not evaluated twice.
+//! - At a kink `OldFb` takes the same element as the others, not `(1, 1)`.
 //! - Non-monotone reference values are fed by every accepted step, never below the current merit.
 //! - The returned point lies inside the bounds, exactly.
 
