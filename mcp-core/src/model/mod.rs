@@ -16,6 +16,7 @@
 
 mod bounds;
 mod builder;
+mod by_name;
 mod family;
 mod reader;
 mod set;

@@ -142,6 +142,30 @@ impl<M: Model> AdProblem<M> {
         self.shape.set_bounds(lower, upper)
     }
 
+    /// Fixes a variable of this problem, or all of a family, by name: [`Shape::fix`].
+    ///
+    /// # Errors
+    /// [`ModelError::UnknownName`], [`ModelError::Length`], [`ModelError::UnusableBounds`].
+    pub fn fix(&mut self, name: &str, value: f64) -> Result<(), ModelError> {
+        self.shape.fix(name, value)
+    }
+
+    /// Changes a lower bound of this problem by name: [`Shape::set_lower`].
+    ///
+    /// # Errors
+    /// As [`Shape::set_lower`].
+    pub fn set_lower(&mut self, name: &str, lower: f64) -> Result<(), ModelError> {
+        self.shape.set_lower(name, lower)
+    }
+
+    /// Changes an upper bound of this problem by name: [`Shape::set_upper`].
+    ///
+    /// # Errors
+    /// As [`Shape::set_upper`].
+    pub fn set_upper(&mut self, name: &str, upper: f64) -> Result<(), ModelError> {
+        self.shape.set_upper(name, upper)
+    }
+
     /// Whether all second derivatives exist.
     ///
     /// # Errors
