@@ -45,9 +45,10 @@ fn main() -> Result<(), Told> {
     println!("{}", Statement::new(&mut problem).named("transport"));
     let mut solver = Solver::new(Options::default())?;
     let mut iterations = IterationTable::new(stdout());
-    let solution = solver.solve_monitored(&mut problem, None, &mut iterations)?.clone().solved()?;
+    let solution = solver.solve_monitored(&mut problem, None, &mut iterations)?.clone();
     iterations.finish()?;
     println!("\n{}", Report::new(&mut problem, &solution)?.named("transport"));
+    let solution = solution.solved()?;
 
     print_tables(&model, &solution.z);
     check_feasible(&model, &solution.z);
@@ -55,7 +56,7 @@ fn main() -> Result<(), Told> {
         check_published(&model, &solution.z);
     }
 
-    println!("\nfrom z = 0, where no market is served and every price is 0:");
+    println!("\nthe three methods from z = 0, which is hard for them (no shipments, no prices):");
     for method in Method::ALL {
         let cold = solve_from(&model, &vec![0.0; solution.z.len()], &Options::new(method))?;
         print_ending(&cold);

@@ -9,7 +9,7 @@ use crate::linalg::LinearError;
 #[non_exhaustive]
 pub enum ModelError {
     /// A list has the wrong number of entries.
-    #[error("`{what}` has {found} entries, expected {expected}")]
+    #[error("the length of `{what}` is {found}, expected {expected}")]
     Length {
         /// The list.
         what: String,

@@ -23,6 +23,11 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
+//! From here, [`Report`] shows the answer by name, as text, CSV or JSON (feature `serde`);
+//! [`check_derivatives`] checks every entry of the Jacobian in a one-line test; [`Options`] sets
+//! method and tolerances; a [`Solver`] is for many solves; [`Model`] is for sizes that come from
+//! data.
+//!
 //! # Where to read on
 //!
 //! [`scalar`] numbers inside a model and their corners · [`model`] what a user writes ·
@@ -70,15 +75,15 @@ pub use globalise::{Armijo, Nonmonotone, Stall};
 pub use linalg::{Linear, LinearError, LinearSolver};
 pub use model::{
     Block, BoundKind, Bounds, Definition, Equation, Family, Model, Parameter, Reader, Set, Shape,
-    Values, Variable,
+    ShapeBuilder, Values, Variable,
 };
 pub use problem::{
     AdProblem, Comparison, Counting, DerivativeReport, Engine, Passes, Pattern, Problem,
     WrongDerivative, check_derivatives,
 };
 pub use report::{
-    IterationLog, IterationRecord, IterationTable, Report, ReportError, State, Statement,
-    Statistics,
+    IterationLog, IterationRecord, IterationTable, Report, ReportError, ReportRow, State,
+    Statement, Statistics,
 };
 pub use scalar::{
     Counted, Jet, Magnitude, OperationCounts, Real, Scalar, Tally, Total, Trace, atan2, external,

@@ -32,6 +32,15 @@ pub(crate) fn bound_missing(number: &str) -> String {
     format!("`{number}` needs its bound: write `{number}: Scalar`")
 }
 
+/// Two integer literals are divided.
+pub(crate) fn division(a: &str, b: &str) -> String {
+    format!("`{a} / {b}` divides integers, without the fraction: write `{a}.0 / {b}.0`")
+}
+
+/// The type parameter, or `Real` of it, shall be comparable.
+pub(crate) const COMPARISON: &str = "a model cannot compare its numbers, which would hide a branch \
+    from its derivatives: use `max`, `min`, `abs`, `clamp` or `select`";
+
 /// The type parameter has a bound that is not `Scalar`.
 pub(crate) fn other_bound(number: &str) -> String {
     format!("the only bound is `{number}: Scalar`: a model is evaluated with every number type")

@@ -189,9 +189,9 @@ mod tests {
             ("q", "there is no variable `q`; did you mean `p`?"),
             ("quantity[a]", "there is no variable `quantity`"),
             ("x[seatle, chicago]", "there is no label `seatle`; did you mean `seattle`?"),
-            ("x[seattle]", "`labels of x` has 1 entries, expected 2"),
-            ("x", "`labels of x` has 0 entries, expected 2"),
-            ("p[1]", "`labels of p` has 1 entries, expected 0"),
+            ("x[seattle]", "the length of `labels of x` is 1, expected 2"),
+            ("x", "the length of `labels of x` is 0, expected 2"),
+            ("p[1]", "the length of `labels of p` is 1, expected 0"),
         ];
         for (name, message) in cases {
             assert_eq!(shape.variable_index(name).unwrap_err().to_string(), message);

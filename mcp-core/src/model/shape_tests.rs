@@ -73,7 +73,10 @@ fn every_fault_names_its_offender() {
             over(Variable::new("x").lower([0.0, f64::NAN])),
             "variable `x[b]` has the bounds [NaN, inf], which no number satisfies",
         ),
-        (over(Variable::new("x").lower([0.0])), "`lower bound of x` has 1 entries, expected 2"),
+        (
+            over(Variable::new("x").lower([0.0])),
+            "the length of `lower bound of x` is 1, expected 2",
+        ),
         (
             over(Variable::new("x").start([f64::INFINITY, 0.0])),
             "the start of variable `x[a]` is inf: give a finite number",

@@ -166,6 +166,19 @@ impl<M: Model> AdProblem<M> {
         self.shape.set_upper(name, upper)
     }
 
+    /// Changes the start of a variable of this problem by name: [`Shape::set_start_of`].
+    ///
+    /// # Errors
+    /// As [`Shape::set_start_of`].
+    pub fn set_start_of(&mut self, name: &str, value: f64) -> Result<(), ModelError> {
+        self.shape.set_start_of(name, value)
+    }
+
+    /// Bounds, start and names of this problem.
+    pub fn shape(&self) -> &Shape {
+        &self.shape
+    }
+
     /// Whether all second derivatives exist.
     ///
     /// # Errors

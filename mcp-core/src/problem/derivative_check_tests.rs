@@ -91,7 +91,7 @@ fn the_report_reads_as_a_sentence() {
 #[test]
 fn a_point_of_the_wrong_length_is_an_error() {
     let error = check_derivatives(&Right::new().unwrap(), &[1.0]).unwrap_err();
-    assert_eq!(error.to_string(), "`start` has 1 entries, expected 2");
+    assert_eq!(error.to_string(), "the length of `start` is 1, expected 2");
 }
 
 #[mcp_fn]

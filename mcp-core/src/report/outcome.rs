@@ -141,6 +141,14 @@ impl Report {
         }
     }
 
+    /// Level of the variable with this name, such as `x[seattle, topeka]`.
+    ///
+    /// # Errors
+    /// As [`Shape::variable_index`](crate::Shape::variable_index).
+    pub fn level(&self, name: &str) -> Result<f64, ModelError> {
+        Ok(self.solution.z[self.shape.variable_index(name)?])
+    }
+
     /// All rows of the solution table, in the order of the variables.
     pub fn rows(&self) -> impl ExactSizeIterator<Item = ReportRow> + '_ {
         (0..self.row_count()).map(|i| self.row(i))

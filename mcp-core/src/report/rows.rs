@@ -39,7 +39,8 @@ impl State {
     pub fn new(bounds: &Bounds, i: usize, z: f64, f: f64) -> Self {
         let (lower, upper) = (bounds.lower()[i], bounds.upper()[i]);
         let close = |gap: f64, force: f64, bound: f64| {
-            gap == 0.0 || (gap <= force && gap <= 1e-6 * bound.abs().max(1.0))
+            let near = gap <= force && gap <= 1e-6 * bound.abs().max(1.0);
+            bound.is_finite() && (gap == 0.0 || near)
         };
         if !(lower <= z && z <= upper) {
             return State::Outside;
@@ -119,6 +120,7 @@ mod tests {
             (0, 1e-13, 0.4, State::AtLower),
             (0, 1e-13, 1e-15, State::Interior),
             (0, 3.0, 5.0, State::Interior),
+            (0, 1.0, f64::NEG_INFINITY, State::Interior),
             (0, 0.0, -1e-14, State::AtLower),
             (0, -1.0, 0.0, State::Outside),
             (0, f64::NAN, 0.0, State::Outside),

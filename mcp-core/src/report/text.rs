@@ -133,10 +133,10 @@ impl Report {
             ("lower", Align::Point, true),
             ("level", Align::Point, true),
             ("upper", Align::Point, true),
+            ("unit", Align::Left, units),
             ("marginal", Align::Point, true),
             ("rent", Align::Point, rents),
             ("state", Align::Left, true),
-            ("unit", Align::Left, units),
             ("⟂ equation", Align::Left, true),
         ];
         let shown = columns.iter().filter(|column| column.2);
@@ -153,10 +153,10 @@ impl Report {
                     number(row.lower),
                     number(row.level),
                     number(row.upper),
+                    row.unit,
                     optional(row.marginal),
                     optional(row.rent),
                     row.state.name().to_owned(),
-                    row.unit,
                     row.equation.unwrap_or_default(),
                 ];
                 let cells = cells.into_iter().zip(&columns).filter(|(_, column)| column.2);

@@ -33,13 +33,13 @@ final statistics (largest absolute value)
  Siconos error            0  2-norm
 
 solution
- variable     lower   level  upper  marginal  rent  state     unit    ⟂ equation
- x[new-york]      0  325       inf         0        interior  cases   profit[new-york]
- x[topeka]        0    0       inf         0        at lower  cases   profit[topeka]
- w                0    1         1       -25    25  at upper  $/case  supply
- p[new-york]   -inf    1.25    inf         0        free      $/case  demand[new-york]
- p[topeka]     -inf    1.5     inf         0        free      $/case  demand[topeka]
- money            1    1         1                  fixed
+ variable     lower   level  upper  unit    marginal  rent  state     ⟂ equation
+ x[new-york]      0  325       inf  cases          0        interior  profit[new-york]
+ x[topeka]        0    0       inf  cases          0        at lower  profit[topeka]
+ w                0    1         1  $/case       -25    25  at upper  supply
+ p[new-york]   -inf    1.25    inf  $/case         0        free      demand[new-york]
+ p[topeka]     -inf    1.5     inf  $/case         0        free      demand[topeka]
+ money            1    1         1                          fixed
 ";
     assert_eq!(report.to_string(), expected);
 }
@@ -92,7 +92,7 @@ fn a_domain_error_shows_equation_value_and_what_it_reads() {
     let line =
         " not finite         equation `profit[new-york]`: F = NaN at w = 0.5, p[new-york] = -0.3\n";
     assert!(shown.contains(line), "{shown}");
-    assert!(shown.contains(" advice             bound the variables of the named equation"));
+    assert!(shown.contains(" advice             a `Report` names the equation"));
 
     solution.fault = Some(fault(1, Some(4), f64::INFINITY, &z));
     let shown = text(&mut problem, &solution);

@@ -9,8 +9,8 @@
 //! # Values and derivatives at the corners
 //!
 //! Complementarity puts solutions at the corners of the domain (`x = 0`), so every function states
-//! its value and its derivative there. Values are bitwise those of `f64` in every arithmetic of
-//! this crate; the functions of num-dual's types agree to 4 ulp. Derivatives are written without
+//! its value and its derivative there. Values have the same bits in every arithmetic of this crate,
+//! those of `f64` (integer powers by repeated squaring, which `f64::powi` does not promise); the functions of num-dual's types agree to 4 ulp. Derivatives are written without
 //! cancellation, with error at most `4 eps (|f'| + |x f''|)` and one subnormal number (for powers
 //! multiplied by `p` or `ln x`, as the power is). Nested jets keep the same bound one order up,
 //! `4 eps (|f''| + |x f'''|)`, where no intermediate result over- or underflows; for `atan2` and

@@ -16,6 +16,9 @@ use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssi
 /// assert_eq!(f(Real::<f64>::from(1.0), &[4.0]).into_scalar(), 4.0);
 /// ```
 ///
+/// Two integer literals divide as integers before they meet a `Real`: `1 / 2 * x` is `0 * x`; write
+/// `1.0 / 2.0`, or `x / 2`.
+///
 /// There is deliberately no comparison: see the [module page](super).
 #[must_use = "an expression has no effect of its own"]
 #[repr(transparent)]

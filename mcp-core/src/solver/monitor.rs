@@ -61,8 +61,26 @@ pub struct Iteration<'a> {
 
 /// Watches a solve, one call for each iterate, the start included.
 ///
-/// Printing is up to the monitor; the solvers print nothing. `()` watches nothing; any
-/// `FnMut(&Iteration) -> ControlFlow<()>` is a monitor.
+/// Printing is up to the monitor; the solvers print nothing. `()` watches nothing; a closure over
+/// an [`Iteration`] is a monitor, and so is a pair of monitors: both are shown every iterate.
+///
+/// ```
+/// use mcp_core::{AdProblem, Iteration, Options, Real, Scalar, Solver, Status, mcp_fn};
+/// use std::ops::ControlFlow;
+/// #[mcp_fn(start = 3.0)]
+/// fn root<D: Scalar>([x]: [Real<D>; 1]) -> [Real<D>; 1] {
+///     [x.exp() - 2.0]
+/// }
+/// let mut stop = |iteration: &Iteration<'_>| match iteration.k {
+///     0..2 => ControlFlow::Continue(()),
+///     _ => ControlFlow::Break(()),
+/// };
+/// let mut problem = AdProblem::new(Root::new()?)?;
+/// let mut solver = Solver::new(Options::default())?;
+/// let solution = solver.solve_monitored(&mut problem, None, &mut stop)?;
+/// assert_eq!((solution.status, solution.stats.iterations), (Status::Interrupted, 2));
+/// # Ok::<(), mcp_core::ModelError>(())
+/// ```
 pub trait Monitor {
     /// Takes note of an iterate; `Break` ends the solve as
     /// [`Interrupted`](crate::Status::Interrupted).
@@ -73,6 +91,14 @@ impl Monitor for () {
     #[inline]
     fn iteration(&mut self, _: &Iteration<'_>) -> ControlFlow<()> {
         ControlFlow::Continue(())
+    }
+}
+
+impl<A: Monitor, B: Monitor> Monitor for (A, B) {
+    /// The solve goes on if both let it.
+    fn iteration(&mut self, iteration: &Iteration<'_>) -> ControlFlow<()> {
+        let (first, second) = (self.0.iteration(iteration), self.1.iteration(iteration));
+        if first.is_break() { first } else { second }
     }
 }
 

@@ -72,13 +72,13 @@ pub struct UnknownMethod {
 impl FromStr for Method {
     type Err = UnknownMethod;
 
-    /// A name, with `-` as good as `_` and in any case, or a Siconos id.
+    /// A name in any case, with or without `_` and `-`, or a Siconos id.
     fn from_str(given: &str) -> Result<Self, UnknownMethod> {
         if let Ok(id) = given.parse() {
             return Self::from_siconos_id(id);
         }
-        let name = given.to_ascii_lowercase().replace('-', "_");
-        let found = Self::ALL.into_iter().find(|method| method.name() == name);
+        let plain = |name: &str| name.to_ascii_lowercase().replace(['-', '_'], "");
+        let found = Self::ALL.into_iter().find(|method| plain(method.name()) == plain(given));
         found.ok_or_else(|| UnknownMethod { given: given.to_owned() })
     }
 }
@@ -288,6 +288,7 @@ mod tests {
             assert_eq!(Method::from_siconos_id(method.siconos_id()), Ok(method));
         }
         assert_eq!("Newton-Min-FB".parse(), Ok(Method::NewtonMinFb));
+        assert_eq!("NewtonFb".parse(), Ok(Method::NewtonFb));
         assert_eq!(
             "path".parse::<Method>().unwrap_err().to_string(),
             "there is no method `path`: choose newton_fb (700), newton_min_fb (701), old_fb (710)"

@@ -47,10 +47,10 @@ impl Solution {
 /// Its `Debug` is its `Display`, because that is what `main` prints of an error it returns.
 #[derive(Clone, PartialEq, thiserror::Error)]
 #[error(
-    "not solved after {} iterations, natural residual {:.1e}: {}",
+    "{} (iterations: {}, natural residual: {:.1e})",
+    .solution.status,
     .solution.stats.iterations,
-    .solution.certificate.natural_residual,
-    .solution.status
+    .solution.certificate.natural_residual
 )]
 pub struct NotSolved {
     /// Where it ended.

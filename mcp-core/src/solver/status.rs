@@ -108,24 +108,27 @@ impl Status {
         match self {
             Status::Solved | Status::Interrupted => "",
             Status::SolvedAsymptotically => {
-                "look at the named equation and variable: bound the variable, or check whether the \
-                 model has a solution at a finite point"
+                "a `Report` names the equation and the variable: bound the variable, \
+                 or check whether the model has a solution at a finite point"
             }
             Status::StationaryPoint => {
-                "try another start or another method, and look at the worst equations: the \
-                 problem may have no solution nearby"
+                "try another start or another method, and look at the worst equations in a \
+                 `Report`: the problem may have no solution, or none nearby"
             }
             Status::SingularSystem => {
-                "look for equations that repeat each other or variables no equation depends on \
-                 (all prices free to move together: fix one), or start elsewhere"
+                "look for equations that repeat each other, variables no equation depends on (all \
+                 prices free to move together: fix one), or an equation whose derivatives all \
+                 vanish here; or start elsewhere"
             }
             Status::LineSearchFailed => {
                 "if the residual is near rounding, loosen the tolerance; otherwise try another \
-                 start, another method or better units"
+                 start, another method or better units, and look at the worst equations in a \
+                 `Report`: the problem may have no solution"
             }
             Status::Stalled => {
-                "try another start, another method or better units; if the residual was still \
-                 falling, raise the stall limit"
+                "try another start, another method or better units, and look at the worst \
+                 equations in a `Report`: the problem may have no solution; if the residual was \
+                 still falling, raise the stall limit"
             }
             Status::IterationLimit => {
                 "allow more iterations if the residual was still falling, otherwise try another \
@@ -133,8 +136,8 @@ impl Status {
             }
             Status::TimeLimit => "allow more time or start closer to the solution",
             Status::DomainError => {
-                "bound the variables of the named equation away from where it is undefined, or \
-                 start inside its domain"
+                "a `Report` names the equation and the values: bound its variables \
+                 away from where it is undefined, or start inside its domain"
             }
         }
     }

@@ -134,7 +134,9 @@ fn number_type(signature: &Signature, errors: &mut Errors) -> Option<Ident> {
     let mut bounds = 0;
     let mut check_bound = |bound: &TypeParamBound, errors: &mut Errors| {
         bounds += 1;
-        if !is_scalar(bound) {
+        if is_comparison(bound) {
+            errors.at(bound, messages::COMPARISON);
+        } else if !is_scalar(bound) {
             errors.at(bound, messages::other_bound(&number.to_string()));
         }
     };
@@ -143,6 +145,9 @@ fn number_type(signature: &Signature, errors: &mut Errors) -> Option<Ident> {
         match predicate {
             WherePredicate::Type(of) if is_ident(&of.bounded_ty, number) => {
                 of.bounds.iter().for_each(|bound| check_bound(bound, errors));
+            }
+            WherePredicate::Type(of) if of.bounds.iter().any(is_comparison) => {
+                errors.at(predicate, messages::COMPARISON);
             }
             _ => errors.at(predicate, messages::other_bound(&number.to_string())),
         }
@@ -154,10 +159,21 @@ fn number_type(signature: &Signature, errors: &mut Errors) -> Option<Ident> {
 }
 
 fn is_scalar(bound: &TypeParamBound) -> bool {
+    is_trait(bound, &["Scalar"])
+}
+
+fn is_comparison(bound: &TypeParamBound) -> bool {
+    is_trait(bound, &["PartialOrd", "PartialEq", "Ord", "Eq"])
+}
+
+/// Whether a bound is one of these traits, under any path.
+fn is_trait(bound: &TypeParamBound, names: &[&str]) -> bool {
     match bound {
-        TypeParamBound::Trait(bound) => {
-            bound.path.segments.last().is_some_and(|last| last.ident == "Scalar")
-        }
+        TypeParamBound::Trait(bound) => bound
+            .path
+            .segments
+            .last()
+            .is_some_and(|last| names.iter().any(|name| last.ident == name)),
         _ => false,
     }
 }

@@ -47,6 +47,29 @@ fn right_functions_have_no_errors() {
 }
 
 #[test]
+fn divisions_of_integer_literals_are_shown() {
+    let body = |body: &str| {
+        function_errors(&format!("fn f<D: Scalar>([x]: [Real<D>; 1]) -> [Real<D>; 1] {{ {body} }}"))
+    };
+    for fine in ["[x * 1 / 2]", "[1.0 / 2.0 * x]", "[x / 2]", "[2 * x / 3]", "[t.0 / 2 * x]"] {
+        assert_eq!(body(fine), "", "{fine}");
+    }
+    let half = messages::division("1", "2");
+    assert_eq!(body("[1 / 2 * x]"), format!("2:55 {half}"));
+    assert_eq!(body("[x.pow(1/2)]"), format!("2:61 {half}"));
+    assert_eq!(half, "`1 / 2` divides integers, without the fraction: write `1.0 / 2.0`");
+}
+
+#[test]
+fn comparisons_are_refused_with_what_to_use_instead() {
+    let rest = "([x]: [Real<D>; 1]) -> [Real<D>; 1]";
+    let bound = function_errors(&format!("fn f<D: Scalar + PartialOrd>{rest} {{ [x] }}"));
+    assert_eq!(bound, format!("2:18 {}", messages::COMPARISON));
+    let clause = format!("fn f<D: Scalar>{rest} where Real<D>: PartialOrd {{ [x] }}");
+    assert_eq!(function_errors(&clause), format!("2:58 {}", messages::COMPARISON));
+}
+
+#[test]
 fn only_functions_are_models() {
     for item in ["struct F;", "const F: fn() = g;", "impl F {}", "pub type F = fn(f64);"] {
         let column = if item.starts_with("pub") { 5 } else { 1 };
@@ -116,11 +139,11 @@ fn the_generic_parameter_is_one_scalar() {
         "2:9 the only bound is `S: Scalar`: a model is evaluated with every number type"
     );
     assert_eq!(
-        errors("<S: Scalar + Ord + 'static>", "where S: Send, f64: Into<S>"),
+        errors("<S: Scalar + Hash + 'static>", "where S: Send, f64: Into<S>"),
         "2:18 the only bound is `S: Scalar`: a model is evaluated with every number type\n\
-         2:24 the only bound is `S: Scalar`: a model is evaluated with every number type\n\
-         2:77 the only bound is `S: Scalar`: a model is evaluated with every number type\n\
-         2:83 the only bound is `S: Scalar`: a model is evaluated with every number type"
+         2:25 the only bound is `S: Scalar`: a model is evaluated with every number type\n\
+         2:78 the only bound is `S: Scalar`: a model is evaluated with every number type\n\
+         2:84 the only bound is `S: Scalar`: a model is evaluated with every number type"
     );
 }
 
