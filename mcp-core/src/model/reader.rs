@@ -118,7 +118,10 @@ impl<'a, D: Scalar> Reader<'a, D> {
     #[inline]
     pub fn first<const N: usize>(&self) -> [Real<D>; N] {
         match &self.source {
-            Source::Lanes { z, .. } => from_fn(|j| z[j]),
+            Source::Lanes { z, .. } if z.len() >= N => from_fn(|j| z[j]),
+            Source::Plain { point } if point.z.len() >= N => {
+                from_fn(|j| Real(D::constant(point.z[j])))
+            }
             _ => from_fn(|j| self.var(j)),
         }
     }

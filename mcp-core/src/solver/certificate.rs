@@ -307,11 +307,16 @@ impl Certifier {
         for (j, block) in self.block.iter_mut().enumerate() {
             *block = j;
         }
+        let mut blocks = pattern.n();
         for j in 0..pattern.n() {
             for k in pattern.column(j) {
+                if blocks <= 1 {
+                    return;
+                }
                 if self.jac[k] != 0.0 {
                     let (a, b) = (self.representative(pattern.rows()[k]), self.representative(j));
                     self.block[a.max(b)] = a.min(b);
+                    blocks -= usize::from(a != b);
                 }
             }
         }

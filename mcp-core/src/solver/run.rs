@@ -227,9 +227,8 @@ impl<'a> Run<'a> {
     pub(super) fn fb_direction(&mut self) -> Option<Direction> {
         self.stats.factorisations += 1;
         let work = &mut *self.work;
-        let jacobian = (&work.jac[..], self.problem.pattern());
         let (a, b) = (&work.da[..], &work.db[..]);
-        let solved = work.system.solve(jacobian, (a, b), &work.current.phi, &mut work.direction);
+        let solved = work.system.solve(&work.jac, (a, b), &work.current.phi, &mut work.direction);
         self.system_is_singular = !solved;
         solved.then_some(Direction::FischerBurmeister)
     }
@@ -239,9 +238,8 @@ impl<'a> Run<'a> {
         self.stats.factorisations += 1;
         let work = &mut *self.work;
         work.linearise_min(self.problem.shape());
-        let jacobian = (&work.jac[..], self.problem.pattern());
         let (a, b) = (&work.min_a[..], &work.min_b[..]);
-        let solved = work.system.solve(jacobian, (a, b), &work.min, &mut work.direction);
+        let solved = work.system.solve(&work.jac, (a, b), &work.min, &mut work.direction);
         self.system_is_singular = !solved;
         solved.then_some(Direction::MinMap)
     }
@@ -261,8 +259,11 @@ impl<'a> Run<'a> {
     /// The slope `∇θ·d` if the direction is one of sufficient descent.
     pub(super) fn descent_slope(&self) -> Option<f64> {
         let (rule, d) = (self.options.descent, &self.work.direction);
-        let slope = dot(&self.work.gradient, d);
-        (slope <= -rule.rho * norm(d).powf(rule.p)).then_some(slope)
+        let (slope, square) = (dot(&self.work.gradient, d), dot(d, d));
+        // ‖d‖ᵖ <= ‖d‖² for p >= 2 and ‖d‖ <= 1: mostly the power is not needed.
+        let is_descent = square <= 1.0 && slope <= -rule.rho * square
+            || slope <= -rule.rho * square.sqrt().powf(rule.p);
+        is_descent.then_some(slope)
     }
 
     /// Evaluates `z + t d` and returns its merit, NaN where `F` is not finite.

@@ -65,7 +65,9 @@ pub(super) struct Natural {
 
 /// The matrix of a Newton system `H d = r`, assembled on the pattern of `J` with the diagonal.
 pub(super) struct NewtonSystem {
-    pattern: WithDiagonal,
+    /// The pattern of `J`.
+    source: Pattern,
+    with_diagonal: WithDiagonal,
     values: Vec<f64>,
     linear: Box<dyn LinearSolver>,
     /// A linear solver the caller brought is kept whatever the pattern.
@@ -74,15 +76,15 @@ pub(super) struct NewtonSystem {
 
 impl NewtonSystem {
     /// `H = diag(a) + diag(b) J`.
-    fn assemble(&mut self, jac: &[f64], source: &Pattern, a: &[f64], b: &[f64]) {
-        self.values.fill(0.0);
-        for ((&to, &value), &i) in self.pattern.entries.iter().zip(jac).zip(source.rows()) {
-            // A row switched off stays off whatever its derivatives.
-            if b[i] != 0.0 {
-                self.values[to] = b[i] * value;
-            }
+    fn assemble(&mut self, jac: &[f64], a: &[f64], b: &[f64]) {
+        let WithDiagonal { pattern, entries, diagonal } = &self.with_diagonal;
+        if entries.len() < pattern.nnz() {
+            self.values.fill(0.0);
         }
-        for (&to, &a) in self.pattern.diagonal.iter().zip(a) {
+        for ((&to, &value), &i) in entries.iter().zip(jac).zip(self.source.rows()) {
+            self.values[to] = b[i] * value;
+        }
+        for (&to, &a) in diagonal.iter().zip(a) {
             self.values[to] += a;
         }
     }
@@ -90,12 +92,12 @@ impl NewtonSystem {
     /// Solves `(diag(a) + diag(b) J) d = −r`; false if the matrix is singular or `d` not finite.
     pub(super) fn solve(
         &mut self,
-        (jac, source): (&[f64], &Pattern),
+        jac: &[f64],
         (a, b): (&[f64], &[f64]),
         r: &[f64],
         d: &mut [f64],
     ) -> bool {
-        self.assemble(jac, source, a, b);
+        self.assemble(jac, a, b);
         if self.linear.factor(&self.values).is_err() {
             return false;
         }
@@ -182,8 +184,9 @@ impl Workspace {
             zeta: vec![0.0; n],
             slope: vec![0.0; n],
             system: NewtonSystem {
+                source: pattern.clone(),
                 values: vec![0.0; with_diagonal.pattern.nnz()],
-                pattern: with_diagonal,
+                with_diagonal,
                 linear,
                 is_custom,
             },
@@ -199,13 +202,7 @@ impl Workspace {
 
     /// Whether this workspace was made for that pattern.
     pub(super) fn fits(&self, pattern: &Pattern) -> bool {
-        let entries = &self.system.pattern.entries;
-        pattern.n() == self.da.len()
-            && pattern.nnz() == entries.len()
-            && pattern.entries().zip(entries).all(|((_, i, j), &to)| {
-                let own = &self.system.pattern.pattern;
-                own.rows()[to] == i && own.column(j).contains(&to)
-            })
+        self.system.source == *pattern
     }
 
     /// The linear solver the caller brought, if it was one.
