@@ -51,17 +51,22 @@ fn at_the_extremes(a: f64, b: f64) -> f64 {
     with_radius(a, b, r)
 }
 
-/// `[∂φ/∂a, ∂φ/∂b] = [1 − a/r, 1 − b/r]`, relative error at most 4 eps above the subnormal numbers;
-/// both lie in `[0, 2]`.
+/// `[∂φ/∂a, ∂φ/∂b] = [1 − a/r, 1 − b/r]`, relative error at most 4 eps; both lie in `[0, 2]`.
 ///
-/// Where `a > 0` the first cancels and is `b² / (r (r + a))`; likewise the second. At the kink
+/// Where `a > 0` the first cancels and is `(b/r) · (b/(r + a))`; likewise the second. At the kink
 /// `a = b = 0` this is `[1 − 1/√2, 1 − 1/√2]`, the element along `(1, 1)`; where the direction
 /// matters use [`kink_element`].
 #[inline]
 pub fn fischer_burmeister_derivative(a: f64, b: f64) -> [f64; 2] {
-    let Some(square) = ordinary_square(a, b) else { return derivative_at_the_extremes(a, b) };
-    let r = square.sqrt();
-    let towards = |a: f64, b: f64| if a > 0.0 { b * b / (r * (r + a)) } else { 1.0 - a / r };
+    match ordinary_square(a, b) {
+        Some(square) => derivative_with_radius(a, b, square.sqrt()),
+        None => derivative_at_the_extremes(a, b),
+    }
+}
+
+#[inline]
+fn derivative_with_radius(a: f64, b: f64, r: f64) -> [f64; 2] {
+    let towards = |a: f64, b: f64| if a > 0.0 { (b / r) * (b / (r + a)) } else { 1.0 - a / r };
     [towards(a, b), towards(b, a)]
 }
 
@@ -71,14 +76,11 @@ fn derivative_at_the_extremes(a: f64, b: f64) -> [f64; 2] {
     if r == 0.0 {
         return [1.0 - std::f64::consts::FRAC_1_SQRT_2; 2];
     }
-    let (a, b, r) = if overflows(a, b, r + a.max(b)) {
+    if overflows(a, b, r + a.max(b)) {
         let (a, b) = (0.25 * a, 0.25 * b);
-        (a, b, a.hypot(b))
-    } else {
-        (a, b, r)
-    };
-    let towards = |a: f64, b: f64| if a > 0.0 { (b / r) * (b / (r + a)) } else { 1.0 - a / r };
-    [towards(a, b), towards(b, a)]
+        return derivative_with_radius(a, b, a.hypot(b));
+    }
+    derivative_with_radius(a, b, r)
 }
 
 /// The limit of the derivative at `a = b = 0` along `(da, db)`: an element of the
