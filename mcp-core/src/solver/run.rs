@@ -5,7 +5,7 @@ use super::monitor::{Direction, Iteration, Monitor};
 use super::options::{Criterion, Options};
 use super::solution::Stats;
 use super::status::Status;
-use super::workspace::{Point, Workspace};
+use super::workspace::Workspace;
 use crate::globalise::StallWatch;
 use crate::problem::Problem;
 use std::ops::ControlFlow::{self, Break, Continue};
@@ -339,8 +339,9 @@ impl<'a> Run<'a> {
         self.stats.iterations = before.0.iterations;
         self.stats.gradient_steps = before.0.gradient_steps;
         self.last = before.1;
+        // A search that comes to this point again must not take it.
+        self.work.current.merit = f64::NAN;
         self.exchange(candidate);
-        self.candidate(candidate).merit = f64::NAN;
         Continue(false)
     }
 
@@ -351,13 +352,6 @@ impl<'a> Run<'a> {
             Candidate::Trial => &mut work.trial,
         };
         std::mem::swap(&mut work.current, point);
-    }
-
-    fn candidate(&mut self, candidate: Candidate) -> &mut Point {
-        match candidate {
-            Candidate::Full => &mut self.work.full,
-            Candidate::Trial => &mut self.work.trial,
-        }
     }
 
     /// `J` at the iterate; the old one stays, and the fault is noted, if it is not finite.

@@ -109,7 +109,7 @@ impl NewtonSystem {
     }
 }
 
-/// Everything a solve needs; grown when a larger problem comes, otherwise left alone.
+/// Everything a solve needs; kept for the next problem of the same pattern, made anew for another.
 pub(super) struct Workspace {
     pub(super) rows: Vec<Reformulation>,
     /// The iterate.
