@@ -23,6 +23,19 @@ impl Errors {
         self.0.push(error);
     }
 
+    /// Puts the errors into the order of the text.
+    pub(crate) fn sort(&mut self) {
+        self.0.sort_by_key(|error| {
+            let start = error.span().start();
+            (start.line, start.column)
+        });
+    }
+
+    /// How many errors there are.
+    pub(crate) fn len(&self) -> usize {
+        self.0.len()
+    }
+
     /// Whether nothing is wrong.
     pub(crate) fn is_empty(&self) -> bool {
         self.0.is_empty()

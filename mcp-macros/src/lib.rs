@@ -3,13 +3,15 @@
 //! Users do not depend on this crate: `mcp-core` re-exports its macros. What it generates is data
 //! and calls into `mcp_core`, never an algorithm.
 //!
-//! A macro goes through four steps, each in its own file: the tokens are parsed, checked, and
-//! either everything that is wrong is reported at once, each fault at its token, or the model is
-//! generated. Every message stands in `messages.rs`.
+//! A macro goes through four steps, each in its own file or folder: the tokens are parsed, checked,
+//! and either everything that is wrong is reported at once, each fault at its token, or the model is
+//! generated. Every message stands in `messages.rs` and the folder beside it.
 
+mod divisions;
 mod errors;
 mod function;
 mod messages;
+mod model;
 mod nearest;
 
 #[cfg(test)]
@@ -58,4 +60,79 @@ use proc_macro::TokenStream;
 #[proc_macro_attribute]
 pub fn mcp_fn(arguments: TokenStream, item: TokenStream) -> TokenStream {
     function::mcp_fn(arguments.into(), item.into()).into()
+}
+
+/// # Form
+///
+/// ```text
+/// model   := "model" NAME "{" item… "}"                     before it documentation, lint levels, `pub`
+/// item    := "data" "{" field, … "}"
+///          | "param"  NAME[over] ["=" value] ";"            without a value it comes with the data
+///          | "var"    NAME[over] bounds ["start" value] ["if" condition] ";"
+///          | "fix"    NAME[place, …] "=" value ";"
+///          | "def"    NAME[over] ["lifted"] ":" expression ";"
+///          | "eq"     NAME[over] ["if" condition] ":" body "complements" NAME[index, …] ";"
+///          | "report" NAME[over] ":" expression ";"
+/// over    := i "in" SET, …  |  l "@" "(" i "," j ")" "in" PAIRS
+/// bounds  := "free" | ">=" value | "<=" value | "in" value "..=" value
+/// body    := expression  |  expression (">=" | "<=" | "==") expression
+/// field   := NAME ":" kind  |  NAME[SET, …] ":" "f64"
+///            before items and fields documentation, which may end with the unit: `/// price [$/t]`
+/// kind    := "Set" | "Set[a, b]" | "Ordered" | "Subset(set)" | "Pairs(from, to)" | "Map(from, to)"
+///          | a number of elements, such as 3 | "usize", where something is indexed by it | any type
+/// ```
+///
+/// # Meaning
+///
+/// Every variable is complementary to one equation: at its lower bound `F >= 0`, at its upper bound
+/// `F <= 0`, in between `F = 0`. A relation stands for `F = left − right`, and its sign has to agree
+/// with the bound: `>=` with `>= lower`, `<=` with `<= upper`, `==` with `free`. A variable between
+/// two bounds takes an expression.
+///
+/// * `data` are sets, tables and values; bounds, starts, conditions and the values of parameters are
+///   expressions of data.
+/// * `param` is a constant of a solve that can be changed between solves; `tax.base(s)` is its value
+///   in the data.
+/// * `if condition` on a variable: where it does not hold there is no variable (reading it gives 0)
+///   and no row of its equation. On an equation: where it does not hold there is no row, so that
+///   several equations can share a variable; each element must get exactly one.
+/// * `fix` holds a variable; its equation is evaluated and reported, and need not hold.
+/// * `def` is a sub-expression evaluated once per pass; `lifted`, it becomes a free variable with
+///   the equation `v − expression`, which keeps rows short where much is read through it.
+/// * `report` is evaluated at a solution and never part of `F`.
+///
+/// Between `:` and `complements` stands Rust: `let`, `if` and `match` on data, closures, functions
+/// generic over `Scalar`; `D` is the type of the engine's numbers, `Real<D>` that of an expression.
+/// `sum`, `prod`, `when`, `max`, `min`, `select` and the other functions of `mcp_core` are in scope,
+/// before functions of the same name in the program around. An expression ends with its value:
+/// `return`, `?`, `break` and `continue` are for its own closures and loops. A local may not be called
+/// like something declared, and a name that is nearly a declared one is taken for a misspelling.
+///
+/// An index of a subset also reads what is over the larger set, but is compared with indices of its
+/// own set only, and has no neighbours.
+///
+/// | written | read |
+/// | --- | --- |
+/// | `x[i, j]`, `cost[i, j]`, `site[g]` | one element; every index must be of the right set |
+/// | `sum(plants, \|i\| x[i, j])` | over a set; `lines.into(n)`, `lines.out_of(n)`, `site.of(n)` give lists |
+/// | `s.at(k, t - 1).or(s0[k])`, `s.at(k, t, -1).or(…)` | a neighbour in an ordered set, and what stands in for it |
+/// | `s[k, hours.wrap(t, -1)]` | the neighbour around the end |
+/// | `hours.is_first(t)`, `hours.first()`, `thermal.contains(g)`, `i == j`, `i.position()` | data |
+///
+/// # What is generated
+///
+/// For `model Transport`, with the visibility and documentation of the text:
+///
+/// * `Transport`, which implements `Model`, with `builder()`, `view(&solution)`, and `fix`,
+///   `set_lower`, `set_upper`, `set_start_of`, `set_parameter`, `start_from`, which go by name;
+/// * `TransportBuilder`, one method for each field of the data and each parameter, and `build()`,
+///   which checks everything;
+/// * `TransportView`, one field for each variable, definition, parameter and report:
+///   `view.x[("seattle", "topeka")]`;
+/// * `TransportSets`, the types of the indices.
+///
+/// With `MCP_MACRO_DEBUG=Transport` in the environment of the compiler, the expansion is printed.
+#[proc_macro]
+pub fn mcp(model: TokenStream) -> TokenStream {
+    model::mcp(model.into()).into()
 }

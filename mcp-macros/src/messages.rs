@@ -1,4 +1,11 @@
-//! Every message of the language: what is wrong, and the form that is right.
+//! Every message of the language: what is wrong, and the form that is right. Those of `#[mcp_fn]`
+//! stand here, those of `mcp!` by subject.
+
+pub(crate) mod grammar;
+pub(crate) mod habits;
+pub(crate) mod names;
+pub(crate) mod pairing;
+pub(crate) mod reading;
 
 /// `#[mcp_fn]` stands on something that is not a function.
 pub(crate) const NOT_A_FUNCTION: &str = "`#[mcp_fn]` makes a model of a function: \

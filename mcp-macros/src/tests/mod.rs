@@ -2,6 +2,14 @@
 
 mod diagnostics;
 mod expansion;
+mod language_models;
+mod model_diagnostics;
+mod model_expansion;
+mod model_habits;
+mod model_names;
+mod model_pairs;
+mod model_reads;
+mod model_texts;
 
 use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
 
@@ -34,4 +42,23 @@ fn mutilated(tokens: &TokenStream) -> Vec<TokenStream> {
         }
     }
     all
+}
+
+/// The errors of one `mcp!`, one a line.
+fn model_errors(text: &str) -> String {
+    match crate::model::check(text.parse().unwrap()) {
+        Ok(()) => String::new(),
+        Err(errors) => errors.lines().join("\n"),
+    }
+}
+
+/// The errors of one `mcp!` with these items on its second line.
+fn model_with(items: &str) -> String {
+    model_errors(&format!(
+        "model M {{ data {{ plants: Set[oslo, rome], markets: Set, hours: Ordered, big: Subset(plants), \
+         cost[plants, markets]: f64, u: f64, site: Map(plants, markets), \
+         arcs: Pairs(plants, markets) }} param q[i in plants]; param g; var z0 free; \
+         var x[i in plants, j in markets] >= 0.0; eq ez if u > 0.0: z0 complements z0; \
+         eq ex[i in plants, j in markets]: u complements x[i, j];\n{items}\n}}"
+    ))
 }

@@ -1,0 +1,118 @@
+//! The builder: one method for each field of the data and each parameter.
+
+use super::super::ast::FieldKind;
+use super::Expansion;
+use super::items::{about, indices};
+use proc_macro2::{Ident, TokenStream};
+use quote::format_ident;
+
+impl Expansion<'_> {
+    pub(super) fn builder_items(&self) -> TokenStream {
+        let (model, builder) = (self.model, self.builder());
+        let (visibility, name) = (&model.visibility, &model.name);
+        let given: Vec<_> = self.given().collect();
+        let fields =
+            given.iter().map(|(name, given, _)| code!(#name: ::core::option::Option<#given>,));
+        let setters = given.iter().map(|(name, given, about)| {
+            let (argument, value) = if given.is_converted() {
+                (code!(impl ::core::convert::Into<#given>), code!(value.into()))
+            } else {
+                (code!(#given), code!(value))
+            };
+            code! {
+                #[doc = #about]
+                #[must_use]
+                #visibility fn #name(mut self, value: #argument) -> Self {
+                    self.#name = ::core::option::Option::Some(#value);
+                    self
+                }
+            }
+        });
+        let (about, build) = (
+            format!("Data of [`{name}`]: sets, tables and values by name, in any order."),
+            "The model with these data.\n\n# Errors\nWhat is missing, of the wrong shape, unknown, \
+             given twice or not a number, by name; crossed bounds; a variable without equation or \
+             with two.",
+        );
+        code! {
+            #[doc = #about]
+            #[allow(non_snake_case, reason = "fields are called as in the text of the model")]
+            #[derive(::core::default::Default)]
+            #[must_use = "`build()` makes the model"]
+            #visibility struct #builder {
+                #(#fields)*
+            }
+            #[allow(non_snake_case, reason = "methods are called as in the text of the model")]
+            #[automatically_derived]
+            impl #builder {
+                #(#setters)*
+                #[doc = #build]
+                #visibility fn build(self) -> ::core::result::Result<#name, ::mcp_core::ModelError> {
+                    self.__build()
+                }
+            }
+        }
+    }
+
+    /// What the builder takes: name, type and description.
+    fn given(&self) -> impl Iterator<Item = (&Ident, Given<'_>, String)> {
+        let fields = self.model.fields.iter().filter_map(|field| {
+            let (given, what) = match &field.kind {
+                FieldKind::Set | FieldKind::Ordered | FieldKind::Size => ("Labels", "set"),
+                FieldKind::Subset(_) => ("LabelSubset", "subset"),
+                FieldKind::Pairs(..) => ("LabelPairs", "pairs"),
+                FieldKind::Map(..) => ("LabelMap", "map"),
+                FieldKind::Table => ("Table", "table"),
+                FieldKind::Value(value) => {
+                    let about = about(&field.attributes, &format!("`{}`", field.name));
+                    return Some((&field.name, Given::User(value), about));
+                }
+                FieldKind::Labels(_) | FieldKind::Count(_) => return None,
+            };
+            let sets: Vec<String> = field.over.iter().map(ToString::to_string).collect();
+            let sets =
+                if sets.is_empty() { String::new() } else { format!("[{}]", sets.join(", ")) };
+            let text = format!("The {what} `{}{sets}`", field.name);
+            Some((
+                &field.name,
+                Given::Input(format_ident!("{given}")),
+                about(&field.attributes, &text),
+            ))
+        });
+        let params = self.model.params.iter().map(|param| {
+            let default =
+                if param.value.is_some() { ", in place of its value in the text" } else { "" };
+            let text = format!("The parameter `{}{}`{default}", param.name, indices(&param.over));
+            let given = Given::Input(format_ident!("Table"));
+            (&param.name, given, about(&param.attributes, &text))
+        });
+        fields.chain(params)
+    }
+}
+
+/// A type that the builder takes.
+enum Given<'a> {
+    /// One of the input types of `mcp_core::language`.
+    Input(Ident),
+    /// The user's own.
+    User(&'a syn::Type),
+}
+
+impl Given<'_> {
+    /// Whether the builder takes what can be made into it: `1` for an `f64`, too.
+    fn is_converted(&self) -> bool {
+        match self {
+            Given::Input(_) => true,
+            Given::User(user) => code!(#user).to_string() == "f64",
+        }
+    }
+}
+
+impl quote::ToTokens for Given<'_> {
+    fn to_tokens(&self, tokens: &mut TokenStream) {
+        match self {
+            Given::Input(name) => tokens.extend(code!(::mcp_core::language::#name)),
+            Given::User(user) => user.to_tokens(tokens),
+        }
+    }
+}

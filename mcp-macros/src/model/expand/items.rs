@@ -1,0 +1,178 @@
+//! The struct of the model, and its methods.
+
+use super::super::ast::{Field, FieldKind, Index};
+use super::super::names::is_number;
+use super::{Expansion, description};
+use proc_macro2::{Ident, TokenStream};
+use quote::format_ident;
+use syn::Attribute;
+
+impl Expansion<'_> {
+    /// Name of the builder.
+    pub(super) fn builder(&self) -> Ident {
+        format_ident!("{}Builder", self.model.name)
+    }
+    /// Struct, builder and view.
+    pub(super) fn items(&self) -> TokenStream {
+        let (structure, builder, view) = (self.structure(), self.builder_items(), self.view());
+        let methods = self.methods();
+        code! {
+            #structure
+            #builder
+            #view
+            #methods
+        }
+    }
+
+    fn structure(&self) -> TokenStream {
+        let super::super::ast::Model { attributes, visibility, name, .. } = self.model;
+        let fields = self.model.fields.iter().map(|field| {
+            let (name, stored) = (&field.name, self.stored(field));
+            code!(#name: #stored,)
+        });
+        let families = self.families();
+        let contents = self.contents();
+        code! {
+            #(#attributes)*
+            #[doc = #contents]
+            #[allow(non_snake_case, reason = "fields are called as in the text of the model")]
+            #[derive(::core::clone::Clone)]
+            #visibility struct #name {
+                __shape: ::mcp_core::Shape,
+                #(#fields)*
+                #families
+            }
+        }
+    }
+
+    /// A field of the data as it is stored.
+    fn stored(&self, field: &Field) -> TokenStream {
+        match &field.kind {
+            FieldKind::Table => {
+                let sets = self.tuple(field.over.iter());
+                code!(::mcp_core::language::Data<#sets>)
+            }
+            FieldKind::Value(value) if is_number(value) => code!(#value),
+            FieldKind::Value(value) => code!(::std::sync::Arc<#value>),
+            _ => self.set_type(field),
+        }
+    }
+
+    /// Fields for all families.
+    fn families(&self) -> TokenStream {
+        let family = |name: &Ident, kind: &str, over: &[Index]| {
+            let (kind, sets) = (format_ident!("{kind}"), self.header(over));
+            code!(#name: ::mcp_core::language::#kind<#sets>,)
+        };
+        let model = self.model;
+        let params = model.params.iter().map(|p| family(&p.name, "Parameters", &p.over));
+        let vars = model.vars.iter().map(|v| family(&v.name, "Variables", &v.over));
+        let lifted = self.lifted().map(|d| family(&d.name, "Variables", &d.over));
+        let rows = self.lifted().map(|d| family(&Self::rows_of_lifted(d), "Rows", &d.over));
+        let defs = self.definitions().map(|d| family(&d.name, "Definitions", &d.over));
+        let eqs = model.eqs.iter().map(|e| family(&e.name, "Rows", &e.over));
+        let reports = model.reports.iter().map(|r| family(&r.name, "Rows", &r.over));
+        code!(#(#params)* #(#vars)* #(#lifted)* #(#rows)* #(#defs)* #(#eqs)* #(#reports)*)
+    }
+
+    /// What the model consists of, for its documentation.
+    fn contents(&self) -> String {
+        let mut text = String::from("\n\n| | |\n| --- | --- |\n");
+        let mut row = |kind: &str, name: &Ident, over: &[Index], attributes: &[Attribute]| {
+            let (about, unit) = description(attributes);
+            let unit = if unit.is_empty() { String::new() } else { format!(" \\[{unit}\\]") };
+            let line = format!("| {kind} `{name}{}` | {about}{unit} |\n", indices(over));
+            text.push_str(&line);
+        };
+        let model = self.model;
+        for var in &model.vars {
+            row("var", &var.name, &var.over, &var.attributes);
+        }
+        for def in &model.defs {
+            row("def", &def.name, &def.over, &def.attributes);
+        }
+        for eq in &model.eqs {
+            row("eq", &eq.name, &eq.over, &eq.attributes);
+        }
+        for report in &model.reports {
+            row("report", &report.name, &report.over, &report.attributes);
+        }
+        text
+    }
+
+    /// Changes by name, passed on to the shape.
+    fn methods(&self) -> TokenStream {
+        let (visibility, name, builder) =
+            (&self.model.visibility, &self.model.name, self.builder());
+        let by_name = [
+            ("fix", "Fixes a variable, or all of a family, by name: `Shape::fix`.", "value"),
+            ("set_lower", "Changes a lower bound by name: `Shape::set_lower`.", "lower"),
+            ("set_upper", "Changes an upper bound by name: `Shape::set_upper`.", "upper"),
+            ("set_start_of", "Changes a start by name: `Shape::set_start_of`.", "value"),
+        ]
+        .map(|(method, about, value)| {
+            let (method, value) = (format_ident!("{method}"), format_ident!("{value}"));
+            let errors = format!("\n\n# Errors\nAs `Shape::{method}`.");
+            code! {
+                #[doc = #about]
+                #[doc = #errors]
+                #visibility fn #method(
+                    &mut self, name: &str, #value: f64,
+                ) -> ::core::result::Result<(), ::mcp_core::ModelError> {
+                    self.__shape.#method(name, #value)
+                }
+            }
+        });
+        code! {
+            #[automatically_derived]
+            impl #name {
+                /// Takes the data, by name.
+                #visibility fn builder() -> #builder {
+                    ::core::default::Default::default()
+                }
+                #(#by_name)*
+                /// Changes the values of a parameter family: `Shape::set_parameter`.
+                ///
+                /// # Errors
+                /// As `Shape::set_parameter`.
+                #visibility fn set_parameter(
+                    &mut self, name: &str, values: &[f64],
+                ) -> ::core::result::Result<(), ::mcp_core::ModelError> {
+                    self.__shape.set_parameter(name, values)
+                }
+                /// Starts from a solution of this or another model, by name: `Shape::start_from`. Returns
+                /// how many variables found their level there.
+                ///
+                /// # Errors
+                /// As `Shape::start_from`.
+                #visibility fn start_from(
+                    &mut self, other: &::mcp_core::Solution,
+                ) -> ::core::result::Result<usize, ::mcp_core::ModelError> {
+                    self.__shape.start_from(other)
+                }
+            }
+            #[automatically_derived]
+            impl ::core::fmt::Debug for #name {
+                fn fmt(&self, f: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
+                    f.debug_struct(::core::stringify!(#name)).finish_non_exhaustive()
+                }
+            }
+        }
+    }
+}
+
+/// The description of a field: the user's own and what it is.
+pub(super) fn about(attributes: &[Attribute], what: &str) -> String {
+    match description(attributes) {
+        (about, _) if about.is_empty() => format!("{what}."),
+        (about, unit) if unit.is_empty() => format!("{what}: {about}."),
+        (about, unit) => format!("{what}: {about} \\[{unit}\\]."),
+    }
+}
+
+/// `[i in plants, j in markets]`, or nothing.
+pub(super) fn indices(over: &[Index]) -> String {
+    let indices: Vec<String> =
+        over.iter().map(|index| format!("{} in {}", index.name, index.set)).collect();
+    if indices.is_empty() { String::new() } else { format!("[{}]", indices.join(", ")) }
+}

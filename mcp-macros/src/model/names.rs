@@ -1,0 +1,208 @@
+//! [`Names`]: everything that is declared, in one name space.
+
+use super::ast::{Def, Field, FieldKind, Index, Model, Param, Var};
+use crate::errors::Errors;
+use crate::messages::names as messages;
+use crate::nearest::nearest;
+use quote::ToTokens;
+use std::collections::{HashMap, HashSet};
+use syn::{Ident, Type};
+
+/// Names that mean something else.
+const RESERVED: [&str; 15] = [
+    "build",
+    "complements",
+    "self",
+    "sum",
+    "prod",
+    "when",
+    "max",
+    "min",
+    "select",
+    "atan2",
+    "hypot",
+    "logsumexp",
+    "smooth_max",
+    "smooth_min",
+    "external",
+];
+
+/// What a name stands for.
+#[derive(Clone, Copy)]
+pub(super) enum Kind<'a> {
+    Field(&'a Field),
+    /// A label, with its set.
+    Label(&'a Ident),
+    Param(&'a Param),
+    Var(&'a Var),
+    /// A definition, with its place among all.
+    Def(usize, &'a Def),
+    Eq,
+    Report,
+}
+
+impl Kind<'_> {
+    /// What it is, with its article.
+    pub(super) fn noun(&self) -> &'static str {
+        match self {
+            Kind::Field(field) => match field.kind {
+                FieldKind::Map(..) => "a map",
+                FieldKind::Table => "a table",
+                FieldKind::Value(_) => "a datum",
+                _ => "a set",
+            },
+            Kind::Label(_) => "a label",
+            Kind::Param(_) => "a parameter",
+            Kind::Var(_) => "a variable",
+            Kind::Def(..) => "a definition",
+            Kind::Eq => "an equation",
+            Kind::Report => "a report",
+        }
+    }
+
+    /// The sets it is indexed by; nothing where brackets have a meaning of their own.
+    pub(super) fn sets(&self) -> Option<Vec<String>> {
+        let strings = |over: &[Ident]| over.iter().map(ToString::to_string).collect();
+        let of = |over: &[Index]| over.iter().map(|index| index.set.to_string()).collect();
+        Some(match self {
+            Kind::Field(field) => match &field.kind {
+                FieldKind::Table => strings(&field.over),
+                FieldKind::Map(from, _) => vec![from.to_string()],
+                FieldKind::Value(ty) if ty.to_token_stream().to_string() == "f64" => Vec::new(),
+                _ => return None,
+            },
+            Kind::Param(param) => of(&param.over),
+            Kind::Var(var) => of(&var.over),
+            Kind::Def(_, def) => of(&def.over),
+            Kind::Label(_) | Kind::Eq | Kind::Report => return None,
+        })
+    }
+}
+
+/// Everything that is declared.
+pub(super) struct Names<'a> {
+    kinds: HashMap<String, Kind<'a>>,
+    order: Vec<&'a Ident>,
+    lost: HashSet<&'a str>,
+}
+
+impl<'a> Names<'a> {
+    /// All names of the model; a name that is declared before is reported.
+    pub(super) fn of(model: &'a Model, errors: &mut Errors) -> Self {
+        let lost = model.lost.names.iter().map(String::as_str).collect();
+        let mut names = Names { kinds: HashMap::new(), order: Vec::new(), lost };
+        for (name, kind) in declared(model) {
+            let word = name.to_string();
+            if Self::is_reserved(&word) {
+                errors.at(name, messages::reserved(&word));
+            }
+            if let Some(first) = names.kinds.get(&word) {
+                errors.at(name, messages::duplicate(&word, first.noun(), kind.noun()));
+            } else {
+                names.kinds.insert(word, kind);
+                names.order.push(name);
+            }
+        }
+        names
+    }
+
+    /// Whether the name means something else in the language.
+    pub(super) fn is_reserved(name: &str) -> bool {
+        RESERVED.contains(&name) || name.starts_with("__")
+    }
+
+    /// What the name stands for.
+    pub(super) fn get(&self, name: &str) -> Option<Kind<'a>> {
+        self.kinds.get(name).copied()
+    }
+
+    /// Whether the name may stand in an item that could not be read.
+    pub(super) fn is_lost(&self, name: &str) -> bool {
+        self.lost.contains(name)
+    }
+
+    /// The field, if it is a set.
+    pub(super) fn set(&self, name: &str) -> Option<&'a Field> {
+        match self.get(name) {
+            Some(Kind::Field(field)) if field.kind.is_set() => Some(field),
+            _ => None,
+        }
+    }
+
+    /// The names of all variables.
+    pub(super) fn variables(&self) -> Vec<String> {
+        let is_variable =
+            |name: &&&Ident| matches!(self.get(&name.to_string()), Some(Kind::Var(_)));
+        self.order.iter().filter(is_variable).map(ToString::to_string).collect()
+    }
+
+    /// The names of all that is read with brackets.
+    pub(super) fn families(&self) -> Vec<String> {
+        let names = self.order.iter().map(ToString::to_string);
+        let is_family = |name: &String| {
+            let sets = self.get(name).and_then(|kind| kind.sets());
+            sets.is_some_and(|sets| !sets.is_empty())
+        };
+        names.filter(is_family).collect()
+    }
+
+    /// The names of all that is read without brackets.
+    pub(super) fn without_brackets(&self) -> Vec<String> {
+        let families = self.families();
+        let is_value = |name: &String| {
+            !families.contains(name) && !matches!(self.get(name), Some(Kind::Eq | Kind::Report))
+        };
+        self.order.iter().map(ToString::to_string).filter(is_value).collect()
+    }
+
+    /// The set with a name like this.
+    pub(super) fn nearest_set(&self, name: &str) -> Option<String> {
+        let sets: Vec<String> = self.order.iter().map(ToString::to_string).collect();
+        let sets: Vec<&str> =
+            sets.iter().map(String::as_str).filter(|set| self.set(set).is_some()).collect();
+        nearest(name, &sets).map(str::to_owned)
+    }
+
+    /// Whether an element of `inner` is one of `outer`; unknown sets are not judged.
+    pub(super) fn is_within(&self, inner: &str, outer: &str) -> bool {
+        let (Some(mut field), Some(_)) = (self.set(inner), self.set(outer)) else { return true };
+        for _ in 0..=self.order.len() {
+            if field.name == outer {
+                return true;
+            }
+            let FieldKind::Subset(of) = &field.kind else { return false };
+            let Some(above) = self.set(&of.to_string()) else { return true };
+            field = above;
+        }
+        true
+    }
+}
+
+/// Every declared name with what it stands for, in the order of the text.
+fn declared(model: &Model) -> Vec<(&Ident, Kind<'_>)> {
+    let mut all: Vec<(&Ident, Kind<'_>)> = Vec::new();
+    for field in &model.fields {
+        all.push((&field.name, Kind::Field(field)));
+        if let FieldKind::Labels(labels) = &field.kind {
+            all.extend(labels.iter().map(|label| (label, Kind::Label(&field.name))));
+        }
+    }
+    all.extend(model.params.iter().map(|param| (&param.name, Kind::Param(param))));
+    all.extend(model.vars.iter().map(|var| (&var.name, Kind::Var(var))));
+    let defs = model.defs.iter().enumerate();
+    all.extend(defs.map(|(place, def)| (&def.name, Kind::Def(place, def))));
+    all.extend(model.eqs.iter().map(|eq| (&eq.name, Kind::Eq)));
+    all.extend(model.reports.iter().map(|report| (&report.name, Kind::Report)));
+    all.sort_by_key(|(name, _)| {
+        let start = name.span().start();
+        (start.line, start.column)
+    });
+    all
+}
+
+/// Whether a value of this type is stored by itself rather than shared.
+pub(super) fn is_number(value: &Type) -> bool {
+    let Type::Path(path) = value else { return false };
+    let numbers = ["f64", "f32", "usize", "isize", "i32", "u32", "i64", "u64", "bool"];
+    path.path.get_ident().is_some_and(|ident| numbers.iter().any(|number| ident == number))
+}
