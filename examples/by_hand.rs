@@ -31,6 +31,7 @@ use mcp_core::{
     Problem, Reader, Real, Scalar, Set, Shape, Solver, Variable, sum, when,
 };
 use std::error::Error;
+use std::sync::Arc;
 
 const COUNTRIES: [&str; 2] = ["large", "small"];
 const A: [f64; 2] = [16.0, 10.0];
@@ -75,13 +76,13 @@ impl Model for Trade {
 
 /// The same equations as numbers, with their Jacobian written out.
 struct TradeByHand {
-    shape: Shape,
+    shape: Arc<Shape>,
     pattern: Pattern,
     shipping: f64,
 }
 
 impl TradeByHand {
-    fn new(shape: Shape) -> Self {
+    fn new(shape: Arc<Shape>) -> Self {
         // Sales are numbered `2 f + r`; an equation reads both firms' sales in its country.
         let pattern = Pattern::from_rows(&[vec![0, 2], vec![1, 3], vec![0, 2], vec![1, 3]]);
         TradeByHand { shape, pattern, shipping: 0.0 }
@@ -89,7 +90,7 @@ impl TradeByHand {
 }
 
 impl Problem for TradeByHand {
-    fn shape(&self) -> &Shape {
+    fn shape(&self) -> &Arc<Shape> {
         &self.shape
     }
 
@@ -131,8 +132,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         println!("{:<23} ⟂  {}", model.shape.equation_name(i), model.shape.variable_name(i));
     }
 
-    let mut by_hand = TradeByHand::new(model.shape.clone());
     let mut problem = AdProblem::new(model)?;
+    let mut by_hand = TradeByHand::new(Arc::clone(problem.shape()));
     let mut solver = Solver::new(Options::default())?;
     let mut start = problem.shape().start().to_vec();
 

@@ -148,6 +148,24 @@ fn nothing_is_allocated_from_the_second_solve_on() {
 }
 
 #[test]
+fn a_solution_kept_or_dropped_changes_nothing() {
+    let mut problem = ring(40);
+    for method in Method::ALL {
+        let mut solver = Solver::new(siconos(method)).unwrap();
+        let kept = solver.solve(&mut problem).unwrap().clone();
+        let mut again = || {
+            allocations(|| {
+                solver.solve(&mut problem).unwrap();
+            })
+        };
+        assert_eq!(again(), 0, "{method}: kept");
+        assert!(kept.level("q[1]").unwrap() >= 0.0);
+        drop(kept);
+        assert_eq!(again(), 0, "{method}: dropped");
+    }
+}
+
+#[test]
 fn a_monitor_that_allocates_nothing_changes_nothing() {
     let mut problem = ring(40);
     for method in Method::ALL {

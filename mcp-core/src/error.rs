@@ -1,11 +1,13 @@
 //! [`ModelError`]: input that is wrong before iteration 0.
 
+use crate::language::input::DataError;
 use crate::linalg::LinearError;
+use std::fmt;
 
 /// What is wrong with a model, a start or an option. Every message names the offender.
 ///
 /// A solve that does not converge is *not* an error: it is a [`Status`](crate::Status).
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[derive(Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum ModelError {
     /// A list has the wrong number of entries.
@@ -30,6 +32,34 @@ pub enum ModelError {
         /// The family.
         name: String,
     },
+    /// A family is to have an element that its index sets do not have.
+    #[error("`{name}` is to have element {element}, but its sets combine to only {count}")]
+    ElementOutOfRange {
+        /// The family.
+        name: String,
+        /// The element, counted from 0 with the last index fastest.
+        element: usize,
+        /// Combinations of its sets.
+        count: usize,
+    },
+    /// The elements a family is to have are out of order, or one is listed twice.
+    #[error("the elements of `{name}` do not increase: {element} follows {before}")]
+    ElementOrder {
+        /// The family.
+        name: String,
+        /// The element that is not larger,
+        element: usize,
+        /// than the one before it.
+        before: usize,
+    },
+    /// All labels exist, but their family does not have this combination of them.
+    #[error("there is no `{element}`: `{family}` has only some of the combinations of its sets")]
+    NoSuchElement {
+        /// Name of the missing element.
+        element: String,
+        /// Its family.
+        family: String,
+    },
     /// A set has a label twice.
     #[error("set `{set}` has the label `{label}` twice")]
     DuplicateLabel {
@@ -47,6 +77,18 @@ pub enum ModelError {
         name: String,
         /// The nearest existing name, if one is near.
         nearest: Option<String>,
+    },
+    /// A solution is of a model with other families or other labels.
+    #[error("the solution is of another model: `{family}` has other elements there")]
+    OtherModel {
+        /// The first family that differs.
+        family: String,
+    },
+    /// Two elements of a family have the same name.
+    #[error("two elements are called `{name}`, because labels contain commas: rename one")]
+    AmbiguousName {
+        /// The name.
+        name: String,
     },
     /// A bound is NaN, a lower bound is `+inf` or an upper bound `-inf`.
     #[error("variable `{variable}` has the bounds [{lower}, {upper}], which no number satisfies")]
@@ -115,6 +157,23 @@ pub enum ModelError {
         /// Number of its elements paired.
         variables: usize,
     },
+    /// An equation family and its variable family have as many elements, but not the same ones.
+    #[error(
+        "`{equation}` has no counterpart in `{variable}`: pair families with different elements \
+         by complements_elements"
+    )]
+    PairElements {
+        /// The first equation without counterpart.
+        equation: String,
+        /// The variable family.
+        variable: String,
+    },
+    /// The marginal of a fixed variable without equation.
+    #[error("variable `{variable}` is fixed and has no equation, so it has no marginal")]
+    NoEquation {
+        /// Name of the variable.
+        variable: String,
+    },
     /// A row reads something that does not exist.
     #[error("`{row}` reads {kind} number {index}, but there are only {count}")]
     ReadOutOfRange {
@@ -154,9 +213,20 @@ pub enum ModelError {
     /// The linear solver cannot take this problem.
     #[error("the linear solver refuses the problem: {0}")]
     Linear(#[from] LinearError),
+    /// The data do not fit the sets and tables of the model.
+    #[error(transparent)]
+    Data(#[from] DataError),
 }
 
-fn did_you_mean(nearest: Option<&str>) -> String {
+/// As [`Display`](fmt::Display): what `main` prints of an error it returns.
+impl fmt::Debug for ModelError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
+    }
+}
+
+/// The end of a sentence about a name that nothing has.
+pub(crate) fn did_you_mean(nearest: Option<&str>) -> String {
     nearest.map(|name| format!("; did you mean `{name}`?")).unwrap_or_default()
 }
 

@@ -24,13 +24,16 @@
 //! ```
 //!
 //! From here, [`Report`] shows the answer by name, as text, CSV or JSON (feature `serde`);
-//! [`check_derivatives`] checks every entry of the Jacobian in a one-line test; [`Options`] sets
+//! [`check_derivatives`] checks every entry of the Jacobian in a one-line test, [`check_point`]
+//! whether a benchmark is a solution; [`Options`] sets
 //! method and tolerances; a [`Solver`] is for many solves; [`Model`] is for sizes that come from
 //! data.
 //!
 //! # Where to read on
 //!
-//! [`scalar`] numbers inside a model and their corners · [`model`] what a user writes ·
+//! [`mcp!`](macro@mcp) the modelling language · [`language`] what its models are made of: data, sets,
+//! views · [`scalar`] numbers inside a model and their corners · [`model`] what the language and a
+//! hand-written model become ·
 //! [`problem`] exact derivatives and their pattern · [`solver`] methods, options, statuses, the
 //! certificate · [`ncp`] complementarity functions · [`globalise`] line searches · [`linalg`]
 //! linear systems · [`report`] tables by name.
@@ -60,6 +63,7 @@ extern crate self as mcp_core;
 pub mod __private;
 pub mod error;
 pub mod globalise;
+pub mod language;
 pub mod linalg;
 pub mod model;
 pub mod ncp;
@@ -78,12 +82,12 @@ pub use model::{
     ShapeBuilder, Values, Variable,
 };
 pub use problem::{
-    AdProblem, Comparison, Counting, DerivativeReport, Engine, Passes, Pattern, Problem,
+    AdProblem, Comparison, Counting, DerivativeReport, Derived, Engine, Passes, Pattern, Problem,
     WrongDerivative, check_derivatives,
 };
 pub use report::{
-    IterationLog, IterationRecord, IterationTable, Report, ReportError, ReportRow, State,
-    Statement, Statistics,
+    DerivedKind, DerivedRow, IterationLog, IterationRecord, IterationTable, Report, ReportError,
+    ReportRow, State, Statement, Statistics,
 };
 pub use scalar::{
     Counted, Jet, Magnitude, OperationCounts, Real, Scalar, Tally, Total, Trace, atan2, external,
@@ -91,7 +95,8 @@ pub use scalar::{
 };
 pub use solver::{
     Certificate, Criterion, Descent, Direction, DomainFault, Iteration, Method, Monitor, NotSolved,
-    Options, Solution, Solver, Stats, Status, UnknownMethod, Verdict, certify, solve, solve_from,
+    Options, PointCheck, PointRow, Solution, Solver, Stats, Status, UnknownMethod, Verdict,
+    Violation, WrongPoint, certify, check_point, solve, solve_from,
 };
 
 #[cfg(doctest)]
@@ -136,3 +141,50 @@ struct Readme;
 /// ```
 #[cfg(feature = "macros")]
 pub use mcp_macros::mcp_fn;
+
+/// The modelling language: a model of named families over index sets, as a type.
+///
+/// ```
+/// use mcp_core::{Model, Options, Report, AdProblem, mcp, solve};
+///
+/// mcp! {
+///     /// Plants supply markets at least cost.
+///     pub model Transport {
+///         data { plants: Set, markets: Set, capacity[plants]: f64, demand[markets]: f64, cost[plants, markets]: f64 }
+///         /// shipment [cases]
+///         var x[i in plants, j in markets] >= 0.0;
+///         /// shadow price of capacity [$/case]
+///         var w[i in plants] >= 0.0;
+///         /// delivered price [$/case]
+///         var p[j in markets] >= 0.0;
+///
+///         eq profit[i in plants, j in markets]: w[i] + cost[i, j] - p[j]      complements x[i, j];
+///         eq supply[i in plants]: capacity[i] >= sum(markets, |j| x[i, j])    complements w[i];
+///         eq market[j in markets]: sum(plants, |i| x[i, j]) >= demand[j]      complements p[j];
+///         report spending: sum(markets, |j| p[j] * demand[j]);
+///     }
+/// }
+///
+/// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+/// let mut model = Transport::builder()
+///     .plants(["seattle", "san-diego"])
+///     .markets(["new-york", "chicago"])
+///     .capacity([5.0, 4.0])
+///     .demand([("chicago", 4.0), ("new-york", 2.0)]) // in any order, by name
+///     .cost([[2.5, 1.7], [2.5, 1.8]])
+///     .build()?;
+/// model.set_start_of("p", 2.0)?;
+///
+/// let solution = solve(&model, &Options::default())?.solved()?;
+/// let view = model.view(&solution)?;
+/// assert!((view.p["chicago"] - view.p["new-york"] + 0.8).abs() < 1e-9);
+/// assert!((view.x[("seattle", "chicago")] + view.x[("san-diego", "chicago")] - 4.0).abs() < 1e-8);
+/// println!("{}", Report::new(&mut AdProblem::new(&model)?, &solution)?);
+/// # Ok(())
+/// # }
+/// ```
+///
+/// A misspelt name, an unpaired variable, swapped indices, a sign against its bound: each is one
+/// error of the compiler at the word where it stands.
+#[cfg(feature = "macros")]
+pub use mcp_macros::mcp;

@@ -6,6 +6,7 @@ use mcp_core::{
     Criterion, Iteration, Method, Options, Pattern, Problem, Shape, Solution, Solver, certify,
 };
 use std::ops::ControlFlow;
+use std::sync::Arc;
 
 pub(crate) const INF: f64 = f64::INFINITY;
 pub(crate) const FREE: (f64, f64) = (-INF, INF);
@@ -13,7 +14,7 @@ pub(crate) const NONNEGATIVE: (f64, f64) = (0.0, INF);
 
 /// `F` and `J` as one closure: `evaluate(z, f, jac)`, `jac` in the order of the pattern.
 pub(crate) struct ByHand<E> {
-    shape: Shape,
+    shape: Arc<Shape>,
     pattern: Pattern,
     evaluate: E,
     f: Vec<f64>,
@@ -21,7 +22,7 @@ pub(crate) struct ByHand<E> {
 }
 
 impl<E: FnMut(&[f64], &mut [f64], &mut [f64])> Problem for ByHand<E> {
-    fn shape(&self) -> &Shape {
+    fn shape(&self) -> &Arc<Shape> {
         &self.shape
     }
     fn pattern(&self) -> &Pattern {
@@ -46,8 +47,8 @@ pub(crate) fn with_pattern<E: FnMut(&[f64], &mut [f64], &mut [f64])>(
     evaluate: E,
 ) -> ByHand<E> {
     let (lower, upper): (Vec<f64>, Vec<f64>) = bounds.iter().copied().unzip();
-    let shape = Shape::anonymous(&lower, &upper, start).expect("the bounds make sense");
-    let (f, jac) = (vec![0.0; shape.n()], vec![0.0; pattern.nnz()]);
+    let shape = Shape::anonymous(&lower, &upper, start).expect("the bounds make sense").into();
+    let (f, jac) = (vec![0.0; bounds.len()], vec![0.0; pattern.nnz()]);
     ByHand { shape, pattern, evaluate, f, jac }
 }
 

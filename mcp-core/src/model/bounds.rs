@@ -18,7 +18,7 @@ pub enum BoundKind {
 /// Lower and upper bounds of all variables, infinite where there is none.
 ///
 /// Invariant, checked where bounds are made: no NaN, `l_i <= u_i`, `l_i < +inf`, `u_i > -inf`.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Bounds {
     lower: Vec<f64>,
     upper: Vec<f64>,

@@ -1,6 +1,9 @@
 //! Declarations of a model's families, checked together when the [`Shape`] is built.
 
-use super::{Bounds, Family, Set, Shape, Values, shape::EquationFamily};
+use super::{
+    Bounds, Family, Set, Shape, Values,
+    shape::{EquationFamily, Structure},
+};
 use crate::error::ModelError;
 use crate::model::BadBounds;
 
@@ -11,6 +14,15 @@ macro_rules! describe {
             #[must_use]
             pub fn over(mut self, sets: &[&Set]) -> Self {
                 self.family.over(sets);
+                self
+            }
+            /// Only these combinations of the elements of the sets, in increasing order, each
+            /// counted from 0 with the last index fastest; the others do not exist. Lists of
+            /// values then have one entry for each of these. See
+            /// [`Family::position`](crate::Family::position).
+            #[must_use]
+            pub fn only(mut self, elements: impl Into<Vec<usize>>) -> Self {
+                self.family.only(elements.into());
                 self
             }
             /// One line of explanation for reports.
@@ -93,14 +105,15 @@ impl Equation {
     pub fn new(name: impl Into<String>) -> Self {
         Equation { family: Family::new(name.into()), variable: String::new(), elements: None }
     }
-    /// Pairs row `k` with element `k` of a variable family of the same size.
+    /// Pairs row `k` with element `k` of a variable family of the same size. Where only some
+    /// combinations of the sets exist, they must be the same in both families.
     #[must_use]
     pub fn complements(mut self, variable: impl Into<String>) -> Self {
         self.variable = variable.into();
         self
     }
     /// Pairs row `k` with element `elements[k]` of a variable family, so that several equation
-    /// families can share one.
+    /// families can share one. Elements are counted among those that exist.
     #[must_use]
     pub fn complements_elements(
         mut self,
@@ -144,9 +157,6 @@ impl Parameter {
     }
 }
 
-/// Elements a family may have: places of structural nonzeros are 32-bit numbers.
-const MOST_ELEMENTS: usize = 1 << 31;
-
 /// Collects declarations; [`build`](Self::build) checks them together.
 #[derive(Clone, Debug, Default)]
 pub struct ShapeBuilder {
@@ -154,6 +164,7 @@ pub struct ShapeBuilder {
     equations: Vec<Equation>,
     definitions: Vec<Definition>,
     parameters: Vec<Parameter>,
+    reports: Vec<Definition>,
 }
 
 impl ShapeBuilder {
@@ -182,6 +193,13 @@ impl ShapeBuilder {
         self
     }
 
+    /// Adds a family of reports: numbers that are evaluated at a solution and never read by a row.
+    #[must_use]
+    pub fn report(mut self, report: Definition) -> Self {
+        self.reports.push(report);
+        self
+    }
+
     /// Checks names, sizes, bounds, starts, parameters and pairs.
     ///
     /// # Errors
@@ -189,31 +207,36 @@ impl ShapeBuilder {
     /// [`ModelError::UnusableBounds`], [`ModelError::CrossedBounds`],
     /// [`ModelError::StartNotFinite`], [`ModelError::ParameterNotFinite`],
     /// [`ModelError::UnknownName`], [`ModelError::PairSize`], [`ModelError::PairedTwice`],
-    /// [`ModelError::Unpaired`], [`ModelError::TooManyElements`].
+    /// [`ModelError::Unpaired`], [`ModelError::TooManyElements`],
+    /// [`ModelError::ElementOutOfRange`], [`ModelError::ElementOrder`],
+    /// [`ModelError::PairElements`].
     pub fn build(self) -> Result<Shape, ModelError> {
-        let ShapeBuilder { variables, equations, mut definitions, mut parameters } = self;
+        let ShapeBuilder { mut variables, mut equations, mut definitions, mut parameters, reports } =
+            self;
+        let mut reports: Vec<Family> = reports.into_iter().map(|report| report.family).collect();
         let mut names = Vec::new();
         names.extend(variables.iter().map(|v| &v.family.name));
         names.extend(equations.iter().map(|e| &e.family.name));
         names.extend(definitions.iter().map(|d| &d.family.name));
         names.extend(parameters.iter().map(|p| &p.family.name));
+        names.extend(reports.iter().map(|report| &report.name));
         names.sort_unstable();
         if let Some(pair) = names.windows(2).find(|pair| pair[0] == pair[1]) {
             return Err(ModelError::DuplicateName { name: pair[0].clone() });
         }
 
-        let families =
-            variables.iter().map(|v| &v.family).chain(equations.iter().map(|e| &e.family));
-        let families = families.chain(definitions.iter().map(|d| &d.family));
-        for family in families.chain(parameters.iter().map(|p| &p.family)) {
-            if family.len > MOST_ELEMENTS {
-                return Err(ModelError::TooManyElements { name: family.name.clone() });
-            }
+        let families = variables.iter_mut().map(|v| &mut v.family);
+        let families = families.chain(equations.iter_mut().map(|e| &mut e.family));
+        let families = families.chain(definitions.iter_mut().map(|d| &mut d.family));
+        let families = families.chain(parameters.iter_mut().map(|p| &mut p.family));
+        for family in families.chain(&mut reports) {
+            family.check_elements()?;
         }
 
         let (variables, bounds, start) = number_variables(variables)?;
         number(definitions.iter_mut().map(|d| &mut d.family));
         number(parameters.iter_mut().map(|p| &mut p.family));
+        number(reports.iter_mut());
         let mut values = Vec::new();
         for parameter in &parameters {
             extend(&mut values, &parameter.family, &parameter.values, "value")?;
@@ -222,7 +245,10 @@ impl ShapeBuilder {
         check_parameters(&parameters, &values)?;
         let equations = pair(equations, &variables)?;
         let definitions = definitions.into_iter().map(|d| d.family).collect();
-        Shape::assemble(variables, equations, definitions, parameters, bounds, start, values)
+        let row_of = Vec::new();
+        let structure =
+            Structure { variables, equations, definitions, parameters, reports, row_of };
+        Shape::assemble(structure, bounds, start, values)
     }
 }
 
@@ -337,6 +363,9 @@ fn pair(
                 variables: count,
             });
         }
+        if elements.is_none() {
+            check_same_elements(&family, target)?;
+        }
         let elements: Vec<usize> = elements.unwrap_or_else(|| (0..target.len).collect());
         if let Some(&index) = elements.iter().find(|&&k| k >= target.len) {
             return Err(ModelError::ReadOutOfRange {
@@ -350,4 +379,20 @@ fn pair(
         paired.push(EquationFamily { family, pairs });
     }
     Ok(paired)
+}
+
+/// Families of the same length are paired by position, but not element `a` of a sparse one with
+/// element `b` of another.
+fn check_same_elements(equation: &Family, variable: &Family) -> Result<(), ModelError> {
+    let is_sparse = equation.is_sparse() || variable.is_sparse();
+    let lengths = |family: &Family| family.sets.iter().map(Set::len).collect::<Vec<_>>();
+    let same_sets = lengths(equation) == lengths(variable);
+    let differs = |&k: &usize| !same_sets || equation.combination(k) != variable.combination(k);
+    match (0..equation.len).find(|k| is_sparse && differs(k)) {
+        None => Ok(()),
+        Some(k) => Err(ModelError::PairElements {
+            equation: equation.element_name(k),
+            variable: variable.name.clone(),
+        }),
+    }
 }

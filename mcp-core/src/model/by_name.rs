@@ -1,6 +1,8 @@
 //! Variables, bounds and starts by name: `x[seattle, topeka]` for one, `x` for all of a family.
 
-use super::{Family, Shape};
+use super::builder::name_among;
+use super::shape::find;
+use super::{Family, Set, Shape};
 use crate::error::{ModelError, nearest};
 use std::ops::Range;
 
@@ -22,10 +24,11 @@ impl Shape {
     ///
     /// # Errors
     /// [`ModelError::UnknownName`] for the family or a label, with the nearest one;
-    /// [`ModelError::Length`] for the wrong number of labels.
+    /// [`ModelError::Length`] for the wrong number of labels; [`ModelError::NoSuchElement`] for a
+    /// combination of labels that the family does not have.
     pub fn variable_index(&self, name: &str) -> Result<usize, ModelError> {
-        let (family, labels) = self.split_name(name)?;
-        Ok(family.offset() + index_in(family, labels.unwrap_or_default())?)
+        let (family, labels) = split_name("variable", self.variables(), name)?;
+        Ok(family.offset() + index_in("variable", family, labels.unwrap_or_default())?)
     }
 
     /// Fixes a variable, or all of a family, at a value; its equation may then have any value.
@@ -64,26 +67,6 @@ impl Shape {
         self.set_start(&start)
     }
 
-    /// A start from a point of another shape: variables of the same name take its values, the others
-    /// keep this shape's start. For models whose sets have changed.
-    ///
-    /// # Errors
-    /// [`ModelError::Length`] if `z` is not a point of `other`.
-    pub fn start_from(&self, other: &Shape, z: &[f64]) -> Result<Vec<f64>, ModelError> {
-        if z.len() != other.n() {
-            let (what, expected) = ("z".to_owned(), other.n());
-            return Err(ModelError::Length { what, expected, found: z.len() });
-        }
-        let mut start = self.start().to_vec();
-        for (j, start) in start.iter_mut().enumerate() {
-            if let Ok(same) = other.variable_index(&self.variable_name(j)) {
-                *start = z[same];
-            }
-        }
-        self.bounds().project(&mut start);
-        Ok(start)
-    }
-
     fn bound(
         &mut self,
         name: &str,
@@ -101,53 +84,110 @@ impl Shape {
         self.set_bounds(&l, &u)
     }
 
-    /// The variables a name stands for: one, or all of a family.
-    fn range_of(&self, name: &str) -> Result<Range<usize>, ModelError> {
-        let (family, labels) = self.split_name(name)?;
-        let offset = family.offset();
-        match labels {
-            None => Ok(offset..offset + family.len()),
-            Some(labels) => {
-                let j = offset + index_in(family, labels)?;
-                Ok(j..j + 1)
-            }
+    /// Changes the values of a parameter family, or the one value of an element: `tax[iron]`.
+    ///
+    /// # Errors
+    /// [`ModelError::UnknownName`], [`ModelError::NoSuchElement`], [`ModelError::Length`],
+    /// [`ModelError::ParameterNotFinite`].
+    pub fn set_parameter(&mut self, name: &str, values: &[f64]) -> Result<(), ModelError> {
+        let range = elements("parameter", self.parameters(), name)?;
+        if values.len() != range.len() {
+            let (what, expected) = (format!("parameter {name}"), range.len());
+            return Err(ModelError::Length { what, expected, found: values.len() });
         }
+        if let Some(k) = values.iter().position(|value| !value.is_finite()) {
+            let parameter = name_among(self.parameters(), range.start + k);
+            return Err(ModelError::ParameterNotFinite { parameter, value: values[k] });
+        }
+        self.parameter_values[range].copy_from_slice(values);
+        Ok(())
     }
 
-    /// The family of a name, and what stands between its brackets.
-    fn split_name<'n>(&self, name: &'n str) -> Result<(&Family, Option<&'n str>), ModelError> {
-        // A family of one may have brackets in its own name.
-        if let Some(family) = self.variables().iter().find(|family| family.name() == name) {
-            return Ok((family, None));
+    /// The variables a name stands for: one, or all of a family.
+    fn range_of(&self, name: &str) -> Result<Range<usize>, ModelError> {
+        elements("variable", self.variables(), name)
+    }
+}
+
+/// The elements a name stands for, among those of all families: one, or all of a family.
+fn elements(
+    kind: &'static str,
+    families: &[Family],
+    name: &str,
+) -> Result<Range<usize>, ModelError> {
+    let (family, labels) = split_name(kind, families, name)?;
+    let offset = family.offset();
+    match labels {
+        None => Ok(offset..offset + family.len()),
+        Some(labels) => {
+            let k = offset + index_in(kind, family, labels)?;
+            Ok(k..k + 1)
         }
-        let (head, labels) = match name.strip_suffix(']').and_then(|rest| rest.split_once('[')) {
-            Some((head, labels)) => (head, Some(labels)),
-            None => (name, None),
-        };
-        Ok((self.variable(head.trim())?, labels))
+    }
+}
+
+/// The family of a name, and what stands between its brackets.
+fn split_name<'f, 'n>(
+    kind: &'static str,
+    families: &'f [Family],
+    name: &'n str,
+) -> Result<(&'f Family, Option<&'n str>), ModelError> {
+    // A family of one may have brackets in its own name.
+    if let Some(family) = families.iter().find(|family| family.name() == name) {
+        return Ok((family, None));
+    }
+    let (head, labels) = match name.strip_suffix(']').and_then(|rest| rest.split_once('[')) {
+        Some((head, labels)) => (head, Some(labels)),
+        None => (name, None),
+    };
+    Ok((find(kind, families, head.trim())?, labels))
+}
+
+impl Family {
+    /// A label as it is, or without the spaces around it.
+    fn position_of(set: &Set, label: &str) -> Result<usize, ModelError> {
+        set.index_of(label).or_else(|_| set.index_of(label.trim()))
+    }
+
+    /// Index in the family of the element with these labels, one for each index set.
+    ///
+    /// # Errors
+    /// [`ModelError::UnknownName`] with the nearest label, [`ModelError::NoSuchElement`] for a
+    /// combination that does not exist, [`ModelError::Length`] for the wrong number of labels.
+    pub fn index_of(&self, labels: &[&str]) -> Result<usize, ModelError> {
+        let (expected, found) = (self.sets().len(), labels.len());
+        if expected != found {
+            let what = format!("labels of {}", self.name());
+            return Err(ModelError::Length { what, expected, found });
+        }
+        let mut combination = 0;
+        for (set, label) in self.sets().iter().zip(labels) {
+            combination = combination * set.len() + Family::position_of(set, label)?;
+        }
+        self.position(combination).ok_or_else(|| ModelError::NoSuchElement {
+            element: self.combination_name(combination),
+            family: self.name().to_owned(),
+        })
     }
 }
 
 /// Position of the element with these labels, `a, b`, in its family.
-fn index_in(family: &Family, labels: &str) -> Result<usize, ModelError> {
+fn index_in(kind: &'static str, family: &Family, labels: &str) -> Result<usize, ModelError> {
     let given: Vec<&str> = if labels.is_empty() { Vec::new() } else { labels.split(',').collect() };
     if given.len() == family.sets().len() {
-        let mut index = 0;
-        for (set, label) in family.sets().iter().zip(given) {
-            index = index * set.len() + set.index_of(label.trim())?;
-        }
-        return Ok(index);
+        return family.index_of(&given);
     }
-    // Labels may contain commas: then only the whole name can tell.
+    // Labels may contain commas: then only the whole name can tell, if anything can.
     let whole = format!("{}[{labels}]", family.name());
     let names: Vec<String> = (0..family.len()).map(|k| family.element_name(k)).collect();
-    if let Some(index) = names.iter().position(|name| *name == whole) {
-        return Ok(index);
+    let mut same = (0..names.len()).filter(|&k| names[k] == whole);
+    match (same.next(), same.next()) {
+        (Some(index), None) => return Ok(index),
+        (Some(_), Some(_)) => return Err(ModelError::AmbiguousName { name: whole }),
+        (None, _) => {}
     }
     match nearest(&whole, names.iter().map(String::as_str)) {
-        Some(near) => {
-            Err(ModelError::UnknownName { kind: "variable", name: whole, nearest: Some(near) })
-        }
+        Some(near) => Err(ModelError::UnknownName { kind, name: whole, nearest: Some(near) }),
         None => Err(ModelError::Length {
             what: format!("labels of {}", family.name()),
             expected: family.sets().len(),
@@ -159,7 +199,7 @@ fn index_in(family: &Family, labels: &str) -> Result<usize, ModelError> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::{Equation, Set, Variable};
+    use crate::model::{Equation, Variable};
 
     fn trade(markets: &[&str]) -> Shape {
         let plants = Set::new("plants", ["seattle", "san-diego"]).unwrap();
@@ -199,6 +239,22 @@ mod tests {
     }
 
     #[test]
+    fn a_name_that_two_elements_have_is_ambiguous() {
+        let left = Set::new("left", ["a", "a, b"]).unwrap();
+        let right = Set::new("right", ["b, c", "c"]).unwrap();
+        let shape = Shape::builder()
+            .variable(Variable::new("x").over(&[&left, &right]))
+            .equation(Equation::new("f").over(&[&left, &right]).complements("x"))
+            .build()
+            .unwrap();
+        assert_eq!(shape.variable_index("x[a, c]"), Ok(1));
+        assert_eq!(
+            shape.variable_index("x[a, b, c]").unwrap_err().to_string(),
+            "two elements are called `x[a, b, c]`, because labels contain commas: rename one"
+        );
+    }
+
+    #[test]
     fn bounds_and_starts_change_for_one_or_for_all() {
         let mut shape = trade(&["new-york", "chicago"]);
         shape.set_upper("x", 5.0).unwrap();
@@ -215,12 +271,25 @@ mod tests {
     }
 
     #[test]
-    fn a_start_is_taken_over_by_name() {
-        let old = trade(&["new-york", "chicago"]);
-        let new = trade(&["chicago", "topeka"]);
-        let start = new.start_from(&old, &[1.0, 20.0, 3.0, 40.0, -5.0]).unwrap();
-        // chicago from the point, topeka from the own start, p moved into its bounds.
-        assert_eq!(start, [20.0, 1.0, 40.0, 1.0, 0.0]);
-        assert!(new.start_from(&old, &[1.0]).is_err());
+    fn an_absent_combination_is_answered_with_its_name() {
+        let plants = Set::new("plants", ["seattle", "san-diego"]).unwrap();
+        let ports = Set::count("ports", 3);
+        let mut shape = Shape::builder()
+            .variable(Variable::new("x").over(&[&plants, &ports]).only([0, 4]))
+            .equation(Equation::new("f").over(&[&plants, &ports]).only([0, 4]).complements("x"))
+            .build()
+            .unwrap();
+        for j in 0..2 {
+            assert_eq!(shape.variable_index(&shape.variable_name(j)), Ok(j));
+        }
+        let absent =
+            "there is no `x[seattle, 2]`: `x` has only some of the combinations of its sets";
+        assert_eq!(shape.variable_index("x[seattle,2]").unwrap_err().to_string(), absent);
+        assert_eq!(shape.fix("x[seattle, 2]", 1.0).unwrap_err().to_string(), absent);
+        shape.set_lower("x", -1.0).unwrap();
+        shape.fix("x[san-diego, 2]", 3.0).unwrap();
+        assert_eq!(shape.bounds().lower(), [-1.0, 3.0]);
+        let unknown = shape.variable_index("x[seattle, 7]").unwrap_err();
+        assert_eq!(unknown.to_string(), "there is no label `7`");
     }
 }

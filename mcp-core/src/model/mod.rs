@@ -21,13 +21,15 @@ mod family;
 mod reader;
 mod set;
 mod shape;
+mod transfer;
 
 pub(crate) use bounds::BadBounds;
 pub use bounds::{BoundKind, Bounds};
 pub use builder::{Definition, Equation, Parameter, ShapeBuilder, Variable};
+pub(crate) use family::MOST_ELEMENTS;
 pub use family::{Block, Family, Values};
 pub use reader::Reader;
-pub(crate) use reader::{Point, Reads, Slots};
+pub(crate) use reader::{Local, Point, Reads, Recorder, Slots};
 pub use set::Set;
 pub use shape::{Row, Shape};
 
@@ -85,6 +87,12 @@ pub trait Model {
         Real::from(f64::NAN)
     }
 
+    /// One report: a number that people want to see, evaluated at a solution. Only called for models
+    /// whose shape declares reports; the default is NaN.
+    fn report(&self, _family: usize, _index: usize, _read: &Reader<'_, f64>) -> Real<f64> {
+        Real::from(f64::NAN)
+    }
+
     /// All rows at once, in the order of declaration. Override it together with
     /// [`WHOLE`](Self::WHOLE).
     fn whole<D: Scalar>(&self, read: &Reader<'_, D>, f: &mut [Real<D>]) {
@@ -108,6 +116,9 @@ impl<M: Model> Model for &M {
     #[inline]
     fn def<D: Scalar>(&self, family: usize, index: usize, read: &Reader<'_, D>) -> Real<D> {
         (**self).def(family, index, read)
+    }
+    fn report(&self, family: usize, index: usize, read: &Reader<'_, f64>) -> Real<f64> {
+        (**self).report(family, index, read)
     }
     #[inline]
     fn whole<D: Scalar>(&self, read: &Reader<'_, D>, f: &mut [Real<D>]) {

@@ -3,23 +3,41 @@
 use crate::scalar::{Real, Scalar};
 use std::array::from_fn;
 use std::cell::RefCell;
+use std::fmt;
 
 /// Gives a row the numbers it asks for, in the engine's arithmetic.
 ///
 /// What stands behind it differs: whole vectors already in that arithmetic, plain numbers that get
 /// their tangent in the moment they are read (only variables the row reads carry lanes), or a
 /// recorder that finds the pattern. A row never sees which.
-#[derive(Debug)]
 pub struct Reader<'a, D: Scalar> {
     source: Source<'a, D>,
 }
 
-#[derive(Debug)]
 enum Source<'a, D: Scalar> {
-    Lanes { z: &'a [Real<D>], definitions: &'a [Real<D>], parameters: &'a [Real<D>] },
-    Plain { point: Point<'a> },
-    Local { point: Point<'a>, slots: Slots<'a>, first_lane: u32 },
-    Recording { point: Point<'a>, reads: &'a RefCell<Reads> },
+    Lanes {
+        z: &'a [Real<D>],
+        definitions: &'a [Real<D>],
+        parameters: &'a [Real<D>],
+    },
+    Plain {
+        point: Point<'a>,
+    },
+    /// Behind a pointer, so that a row of the user's is not compiled together with it.
+    Other(&'a dyn Give<D>),
+}
+
+/// Where numbers come from that are made while they are read.
+pub(crate) trait Give<D: Scalar> {
+    fn var(&self, j: usize) -> Real<D>;
+    fn def(&self, k: usize) -> Real<D>;
+    fn param(&self, k: usize) -> Real<D>;
+}
+
+impl<D: Scalar> fmt::Debug for Reader<'_, D> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Reader").finish_non_exhaustive()
+    }
 }
 
 /// Plain values of everything a row can read.
@@ -28,6 +46,22 @@ pub(crate) struct Point<'a> {
     pub(crate) z: &'a [f64],
     pub(crate) definitions: &'a [f64],
     pub(crate) parameters: &'a [f64],
+}
+
+/// Plain numbers that get their tangent in the moment they are read.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Local<'a> {
+    pub(crate) point: Point<'a>,
+    pub(crate) slots: Slots<'a>,
+    /// The first of the lanes that are carried.
+    pub(crate) first_lane: u32,
+}
+
+/// Plain numbers, and a note of everything that is read.
+#[derive(Debug)]
+pub(crate) struct Recorder<'a> {
+    pub(crate) point: Point<'a>,
+    pub(crate) reads: RefCell<Reads>,
 }
 
 /// For the row at hand: the lane of every variable and definition it reads.
@@ -58,12 +92,8 @@ impl<'a, D: Scalar> Reader<'a, D> {
         Reader { source: Source::Plain { point } }
     }
 
-    pub(crate) fn local(point: Point<'a>, slots: Slots<'a>, first_lane: u32) -> Self {
-        Reader { source: Source::Local { point, slots, first_lane } }
-    }
-
-    pub(crate) fn recording(point: Point<'a>, reads: &'a RefCell<Reads>) -> Self {
-        Reader { source: Source::Recording { point, reads } }
+    pub(crate) fn other(give: &'a dyn Give<D>) -> Self {
+        Reader { source: Source::Other(give) }
     }
 
     /// Variable number `j` among all variables.
@@ -72,13 +102,7 @@ impl<'a, D: Scalar> Reader<'a, D> {
         match &self.source {
             Source::Lanes { z, .. } => z[j],
             Source::Plain { point } => Real(D::constant(point.z[j])),
-            Source::Local { point, slots, first_lane } => {
-                seed(point.z[j], slots.variables[j], *first_lane)
-            }
-            Source::Recording { point, reads } => {
-                reads.borrow_mut().variables.push(j);
-                recorded(point.z, j)
-            }
+            Source::Other(give) => give.var(j),
         }
     }
 
@@ -88,13 +112,7 @@ impl<'a, D: Scalar> Reader<'a, D> {
         match &self.source {
             Source::Lanes { definitions, .. } => definitions[k],
             Source::Plain { point } => Real(D::constant(point.definitions[k])),
-            Source::Local { point, slots, first_lane } => {
-                seed(point.definitions[k], slots.definitions[k], *first_lane)
-            }
-            Source::Recording { point, reads } => {
-                reads.borrow_mut().definitions.push(k);
-                recorded(point.definitions, k)
-            }
+            Source::Other(give) => give.def(k),
         }
     }
 
@@ -104,14 +122,40 @@ impl<'a, D: Scalar> Reader<'a, D> {
     pub fn param(&self, k: usize) -> Real<D> {
         match &self.source {
             Source::Lanes { parameters, .. } => parameters[k],
-            Source::Plain { point } | Source::Local { point, .. } => {
-                Real(D::constant(point.parameters[k]))
-            }
-            Source::Recording { point, reads } => {
-                reads.borrow_mut().parameters.push(k);
-                recorded(point.parameters, k)
-            }
+            Source::Plain { point } => Real(D::constant(point.parameters[k])),
+            Source::Other(give) => give.param(k),
         }
+    }
+
+    /// [`var`](Self::var) for rows of `mcp!`: with lanes by a call, because every place that reads a
+    /// variable would otherwise be compiled with all the sources of lanes.
+    #[inline]
+    pub(crate) fn row_var(&self, j: usize) -> Real<D> {
+        if const { D::LANES == 0 } { self.var(j) } else { self.var_apart(j) }
+    }
+    #[inline(never)]
+    fn var_apart(&self, j: usize) -> Real<D> {
+        self.var(j)
+    }
+
+    /// [`def`](Self::def), likewise.
+    #[inline]
+    pub(crate) fn row_def(&self, k: usize) -> Real<D> {
+        if const { D::LANES == 0 } { self.def(k) } else { self.def_apart(k) }
+    }
+    #[inline(never)]
+    fn def_apart(&self, k: usize) -> Real<D> {
+        self.def(k)
+    }
+
+    /// [`param`](Self::param), likewise.
+    #[inline]
+    pub(crate) fn row_param(&self, k: usize) -> Real<D> {
+        if const { D::LANES == 0 } { self.param(k) } else { self.param_apart(k) }
+    }
+    #[inline(never)]
+    fn param_apart(&self, k: usize) -> Real<D> {
+        self.param(k)
     }
 
     /// The first `N` variables at once.
@@ -124,6 +168,33 @@ impl<'a, D: Scalar> Reader<'a, D> {
             }
             _ => from_fn(|j| self.var(j)),
         }
+    }
+}
+
+impl<D: Scalar> Give<D> for Local<'_> {
+    fn var(&self, j: usize) -> Real<D> {
+        seed(self.point.z[j], self.slots.variables[j], self.first_lane)
+    }
+    fn def(&self, k: usize) -> Real<D> {
+        seed(self.point.definitions[k], self.slots.definitions[k], self.first_lane)
+    }
+    fn param(&self, k: usize) -> Real<D> {
+        Real(D::constant(self.point.parameters[k]))
+    }
+}
+
+impl<D: Scalar> Give<D> for Recorder<'_> {
+    fn var(&self, j: usize) -> Real<D> {
+        self.reads.borrow_mut().variables.push(j);
+        recorded(self.point.z, j)
+    }
+    fn def(&self, k: usize) -> Real<D> {
+        self.reads.borrow_mut().definitions.push(k);
+        recorded(self.point.definitions, k)
+    }
+    fn param(&self, k: usize) -> Real<D> {
+        self.reads.borrow_mut().parameters.push(k);
+        recorded(self.point.parameters, k)
     }
 }
 

@@ -1,29 +1,39 @@
 //! [`Shape`]: everything about a model that is not a formula.
 
-use super::builder::{check_parameters, check_start, checked_bounds, name_among};
+use super::builder::{check_start, checked_bounds, name_among};
 use super::{BoundKind, Bounds, Family, Set, ShapeBuilder, Variable};
 use crate::error::{ModelError, nearest};
+use std::sync::Arc;
 
 /// Families, names, bounds, starts, parameters and pairs of a model.
 ///
 /// Variables, definitions and parameters are numbered through in the order of declaration; so are
 /// the rows of the equations. `F_i` is the row paired with variable `i`, whatever its own number.
 /// Names are made on demand.
-#[derive(Clone, Debug, PartialEq)]
+///
+/// A copy shares families and pairs with its original; bounds, start and parameters are its own.
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Shape {
-    variables: Vec<Family>,
-    equations: Vec<EquationFamily>,
-    definitions: Vec<Family>,
-    parameters: Vec<Family>,
+    structure: Arc<Structure>,
     bounds: Bounds,
     start: Vec<f64>,
-    parameter_values: Vec<f64>,
+    pub(super) parameter_values: Vec<f64>,
+}
+
+/// What never changes once it is built.
+#[derive(Debug, Default, PartialEq, Eq)]
+pub(super) struct Structure {
+    pub(super) variables: Vec<Family>,
+    pub(super) equations: Vec<EquationFamily>,
+    pub(super) definitions: Vec<Family>,
+    pub(super) parameters: Vec<Family>,
+    pub(super) reports: Vec<Family>,
     /// Row paired with each variable; fixed variables may have none.
-    row_of: Vec<Option<usize>>,
+    pub(super) row_of: Vec<Option<usize>>,
 }
 
 /// An equation family and the variable each of its rows is paired with.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct EquationFamily {
     pub(crate) family: Family,
     pub(crate) pairs: Vec<usize>,
@@ -56,50 +66,42 @@ impl Shape {
         Self::builder().variable(variable).equation(equation).build()
     }
 
-    /// Checks that every variable has exactly one row; a fixed one may have none.
+    /// Finds the row of every variable and checks that it has exactly one; a fixed one may have
+    /// none.
     pub(super) fn assemble(
-        variables: Vec<Family>,
-        equations: Vec<EquationFamily>,
-        definitions: Vec<Family>,
-        parameters: Vec<Family>,
+        mut structure: Structure,
         bounds: Bounds,
         start: Vec<f64>,
         parameter_values: Vec<f64>,
     ) -> Result<Self, ModelError> {
+        let Structure { variables, equations, .. } = &structure;
         let mut row_of: Vec<Option<usize>> = vec![None; bounds.n()];
         let row_name = |row: usize| {
             let e = equations.partition_point(|e| e.family.offset + e.family.len <= row);
             equations[e].family.element_name(row - equations[e].family.offset)
         };
-        for equation in &equations {
+        for equation in equations {
             for (index, &variable) in equation.pairs.iter().enumerate() {
                 let row = equation.family.offset + index;
                 if let Some(first) = row_of[variable].replace(row) {
                     return Err(ModelError::PairedTwice {
-                        variable: name_among(&variables, variable),
+                        variable: name_among(variables, variable),
                         first: row_name(first),
                         second: row_name(row),
                     });
                 }
             }
         }
-        let shape = Shape {
-            variables,
-            equations,
-            definitions,
-            parameters,
-            bounds,
-            start,
-            parameter_values,
-            row_of,
-        };
+        structure.row_of = row_of;
+        let shape = Shape { structure: Arc::new(structure), bounds, start, parameter_values };
         shape.check_paired(&shape.bounds)?;
         Ok(shape)
     }
 
     /// Only a variable that `bounds` fix may lack an equation.
     fn check_paired(&self, bounds: &Bounds) -> Result<(), ModelError> {
-        let lacks = |j: usize| self.row_of[j].is_none() && bounds.kind(j) != BoundKind::Fixed;
+        let lacks =
+            |j: usize| self.structure.row_of[j].is_none() && bounds.kind(j) != BoundKind::Fixed;
         match (0..bounds.n()).find(|&j| lacks(j)) {
             Some(j) => Err(ModelError::Unpaired { variable: self.variable_name(j) }),
             None => Ok(()),
@@ -113,28 +115,32 @@ impl Shape {
     /// Number of rows of `F` that a model computes; smaller than [`n`](Self::n) only where fixed
     /// variables have no equation.
     pub fn row_count(&self) -> usize {
-        self.equations.iter().map(|e| e.family.len).sum()
+        self.structure.equations.iter().map(|e| e.family.len).sum()
     }
     /// Number of definitions.
     pub fn definition_count(&self) -> usize {
-        self.definitions.iter().map(Family::len).sum()
+        self.structure.definitions.iter().map(Family::len).sum()
     }
 
     /// Variable families in the order of declaration.
     pub fn variables(&self) -> &[Family] {
-        &self.variables
+        &self.structure.variables
     }
     /// Equation families in the order of declaration.
     pub fn equations(&self) -> impl ExactSizeIterator<Item = &Family> {
-        self.equations.iter().map(|e| &e.family)
+        self.structure.equations.iter().map(|e| &e.family)
     }
     /// Definition families in the order of declaration.
     pub fn definitions(&self) -> &[Family] {
-        &self.definitions
+        &self.structure.definitions
     }
     /// Parameter families in the order of declaration.
     pub fn parameters(&self) -> &[Family] {
-        &self.parameters
+        &self.structure.parameters
+    }
+    /// Report families in the order of declaration.
+    pub fn reports(&self) -> &[Family] {
+        &self.structure.reports
     }
     /// The box.
     pub fn bounds(&self) -> &Bounds {
@@ -154,37 +160,21 @@ impl Shape {
     /// # Errors
     /// [`ModelError::UnknownName`] with the nearest name.
     pub fn variable(&self, name: &str) -> Result<&Family, ModelError> {
-        find("variable", &self.variables, name)
+        find("variable", &self.structure.variables, name)
     }
     /// The parameter family of that name.
     ///
     /// # Errors
     /// [`ModelError::UnknownName`] with the nearest name.
     pub fn parameter(&self, name: &str) -> Result<&Family, ModelError> {
-        find("parameter", &self.parameters, name)
+        find("parameter", &self.structure.parameters, name)
     }
     /// The definition family of that name.
     ///
     /// # Errors
     /// [`ModelError::UnknownName`] with the nearest name.
     pub fn definition(&self, name: &str) -> Result<&Family, ModelError> {
-        find("definition", &self.definitions, name)
-    }
-
-    /// Changes the values of a parameter family.
-    ///
-    /// # Errors
-    /// [`ModelError::UnknownName`], [`ModelError::Length`], [`ModelError::ParameterNotFinite`].
-    pub fn set_parameter(&mut self, name: &str, values: &[f64]) -> Result<(), ModelError> {
-        let family = self.parameter(name)?;
-        let (offset, expected) = (family.offset, family.len);
-        if values.len() != expected {
-            let what = format!("parameter {name}");
-            return Err(ModelError::Length { what, expected, found: values.len() });
-        }
-        check_parameters(std::slice::from_ref(&Family { offset: 0, ..family.clone() }), values)?;
-        self.parameter_values[offset..offset + expected].copy_from_slice(values);
-        Ok(())
+        find("definition", &self.structure.definitions, name)
     }
 
     /// Changes the start, moving it into the bounds.
@@ -210,8 +200,9 @@ impl Shape {
                 return Err(ModelError::Length { what, expected: self.n(), found });
             }
         }
-        let bounds =
-            checked_bounds(lower.to_vec(), upper.to_vec(), |j| name_among(&self.variables, j))?;
+        let bounds = checked_bounds(lower.to_vec(), upper.to_vec(), |j| {
+            name_among(&self.structure.variables, j)
+        })?;
         self.check_paired(&bounds)?;
         self.bounds = bounds;
         self.bounds.project(&mut self.start);
@@ -229,45 +220,46 @@ impl Shape {
 
     /// Family and index of row number `row`.
     pub fn row(&self, row: usize) -> Row {
-        let family = self.equations.partition_point(|e| e.family.offset + e.family.len <= row);
-        Row { family, index: row - self.equations[family].family.offset }
+        let family =
+            self.structure.equations.partition_point(|e| e.family.offset + e.family.len <= row);
+        Row { family, index: row - self.structure.equations[family].family.offset }
     }
     /// The variable that row number `row` is paired with.
     pub fn variable_of_row(&self, row: usize) -> usize {
         let Row { family, index } = self.row(row);
-        self.equations[family].pairs[index]
+        self.structure.equations[family].pairs[index]
     }
     /// The row paired with variable `i`; `None` for a fixed variable without equation.
     pub fn row_of_variable(&self, i: usize) -> Option<usize> {
-        self.row_of[i]
+        self.structure.row_of[i]
     }
 
     /// Name of variable `j`, such as `x[seattle, topeka]`.
     pub fn variable_name(&self, j: usize) -> String {
-        name_among(&self.variables, j)
+        name_among(&self.structure.variables, j)
     }
     /// Name of the equation paired with variable `i`: the name of `F_i`.
     pub fn equation_name(&self, i: usize) -> String {
-        match self.row_of[i] {
+        match self.structure.row_of[i] {
             Some(row) => {
                 let Row { family, index } = self.row(row);
-                self.equations[family].family.element_name(index)
+                self.structure.equations[family].family.element_name(index)
             }
             None => format!("(no equation: {} is fixed)", self.variable_name(i)),
         }
     }
     /// Name of definition `k`.
     pub fn definition_name(&self, k: usize) -> String {
-        name_among(&self.definitions, k)
+        name_among(&self.structure.definitions, k)
     }
     /// The variable family that variable `j` belongs to.
     pub fn variable_family(&self, j: usize) -> &Family {
-        let family = self.variables.partition_point(|f| f.offset + f.len <= j);
-        &self.variables[family]
+        let family = self.structure.variables.partition_point(|f| f.offset + f.len <= j);
+        &self.structure.variables[family]
     }
 }
 
-fn find<'a>(
+pub(super) fn find<'a>(
     kind: &'static str,
     families: &'a [Family],
     name: &str,

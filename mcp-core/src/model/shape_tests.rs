@@ -123,3 +123,74 @@ fn parameters_are_changed_by_name() {
     assert_eq!(nan.to_string(), "parameter `tax[b]` is NaN: give a finite number");
     assert_eq!(shape.definition_name(0), "cost");
 }
+
+/// `x` over two markets twice, with these elements, and its equations with those.
+fn sparse(x: &[usize], f: &[usize]) -> ShapeBuilder {
+    let set = markets();
+    let over = [&set, &set];
+    Shape::builder()
+        .variable(Variable::new("x").over(&over).only(x).lower([0.0, -1.0]).start(5.0))
+        .equation(Equation::new("f").over(&over).only(f).complements("x"))
+}
+
+#[test]
+fn sparse_families_are_numbered_through_by_what_exists() {
+    let set = markets();
+    let shape = sparse(&[1, 2], &[1, 2])
+        .variable(Variable::new("y"))
+        .equation(Equation::new("g").complements("y"))
+        .definition(Definition::new("d").over(&[&set, &set]).only([3]))
+        .definition(Definition::new("e"))
+        .parameter(Parameter::new("cost", [7.0, 8.0]).over(&[&set, &set]).only([0, 3]))
+        .build()
+        .unwrap();
+    assert_eq!((shape.n(), shape.row_count(), shape.definition_count()), (3, 3, 2));
+    let names: Vec<String> = (0..3).map(|j| shape.variable_name(j)).collect();
+    assert_eq!(names, ["x[a, b]", "x[b, a]", "y"]);
+    assert_eq!(
+        (shape.equation_name(1), shape.definition_name(0)),
+        ("f[b, a]".into(), "d[b, b]".into())
+    );
+    assert_eq!(shape.bounds().lower()[..2], [0.0, -1.0]);
+    assert_eq!(shape.parameter_values(), [7.0, 8.0]);
+    let nan = shape.clone().set_parameter("cost", &[1.0, f64::NAN]).unwrap_err();
+    assert_eq!(nan.to_string(), "parameter `cost[b, b]` is NaN: give a finite number");
+}
+
+#[test]
+fn sparse_families_pair_by_position_only_with_the_same_elements() {
+    let message = |builder: ShapeBuilder| builder.build().unwrap_err().to_string();
+    assert_eq!(
+        message(sparse(&[1, 2], &[1, 3])),
+        "`f[b, b]` has no counterpart in `x`: pair families with different elements by \
+         complements_elements"
+    );
+    assert_eq!(
+        message(sparse(&[1, 2], &[1])),
+        "equation `f` has 1 rows but is paired with 2 elements of variable `x`"
+    );
+    assert_eq!(
+        message(sparse(&[2, 1], &[1, 2])),
+        "the elements of `x` do not increase: 1 follows 2"
+    );
+    assert_eq!(
+        message(sparse(&[0, 4], &[0, 1])),
+        "`x` is to have element 4, but its sets combine to only 4"
+    );
+    // A dense family of the same length over another set has other elements.
+    let set = markets();
+    let arcs = Equation::new("f").over(&[&set]).complements("x");
+    let flow = || Shape::builder().variable(Variable::new("x").over(&[&set, &set]).only([1, 2]));
+    assert!(message(flow().equation(arcs)).starts_with("`f[a]` has no counterpart in `x`"));
+    let arcs = Equation::new("f").over(&[&set]).complements_elements("x", [1, 0]);
+    assert_eq!(flow().equation(arcs).build().unwrap().equation_name(0), "f[b]");
+}
+
+#[test]
+fn a_copy_shares_families_and_changes_alone() {
+    let shape = sparse(&[1, 2], &[1, 2]).build().unwrap();
+    let mut copy = shape.clone();
+    assert!(Arc::ptr_eq(&shape.structure, &copy.structure));
+    copy.set_start(&[1.0, 1.0]).unwrap();
+    assert_eq!((shape.start(), copy.start()), (&[5.0, 5.0][..], &[1.0, 1.0][..]));
+}

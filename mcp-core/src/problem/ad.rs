@@ -1,19 +1,22 @@
 //! [`AdProblem`]: a model with exact derivatives.
 
+use super::derived::{Derived, definitions};
 use super::lanes::Lanes;
-use super::record::{Recorded, record_rows, trace_whole};
-use super::rows::{JetLanes, MagnitudeLanes, NumDualLanes, Rows, pattern_of};
+use super::record::{constants, record_rows, trace_whole};
+use super::rows::{ByJets, ByMagnitude, ByNumDual, Rows, RowsIn, pattern_of};
 use super::{Pattern, Problem};
 use crate::error::ModelError;
 use crate::model::{Model, Reader, Shape};
-use crate::scalar::{Counted, Jet, Magnitude, OperationCounts, Real, Scalar, Tally};
+use crate::scalar::{Counted, Jet, Magnitude, OperationCounts, Real, Scalar, Tally, Trace};
+use crate::solver::Solution;
 use num_dual::DualSVec64;
+use std::sync::Arc;
 
 /// Which arithmetic carries the derivatives.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Engine {
-    /// [`Jet`] with 1, 2, 4, 8 or 16 lanes, as few as suffice. The default.
+    /// [`Jet`]: 8 or 16 lanes for a row; for a function of fixed size 1, 2, 4, 8 or 16. The default.
     #[default]
     Jet,
     /// num-dual's `DualSVec64<8>`: the independent second opinion.
@@ -38,14 +41,13 @@ pub(super) trait Pass<M> {
 /// A [`Model`] as a [`Problem`]: exact Jacobian, pattern found by recording, workspace kept.
 ///
 /// It owns a copy of the model's shape, so bounds, start and parameters of *this problem* can be
-/// changed between solves. Nothing is allocated after construction.
+/// changed between solves; a solution keeps the shape it was solved with. Evaluations allocate
+/// nothing.
 pub struct AdProblem<M> {
     model: M,
-    shape: Shape,
+    shape: Arc<Shape>,
     pattern: Pattern,
     pass: Box<dyn Pass<M>>,
-    /// Whether the equation paired with each variable has second derivatives.
-    second_order: Vec<bool>,
 }
 
 impl<M: Model> AdProblem<M> {
@@ -55,9 +57,7 @@ impl<M: Model> AdProblem<M> {
     /// [`ModelError::ReadOutOfRange`], [`ModelError::DefinitionOrder`]; [`ModelError::Length`] if a
     /// model of one function ([`Model::WHOLE`]) declares definitions or another number of rows.
     pub fn new(model: M) -> Result<Self, ModelError> {
-        Self::assemble(model, jet_lanes, |shape, recorded, pattern| {
-            Box::new(Rows::<JetLanes>::new(shape, recorded, pattern))
-        })
+        Self::assemble(model, jet_lanes, |rows| Box::new(ByJets(rows)))
     }
 
     /// The same with derivatives by the given engine.
@@ -70,9 +70,7 @@ impl<M: Model> AdProblem<M> {
             Engine::NumDual => Self::assemble(
                 model,
                 |shape, pattern| Box::new(Lanes::<DualSVec64<8>>::new(shape, pattern)),
-                |shape, recorded, pattern| {
-                    Box::new(Rows::<NumDualLanes>::new(shape, recorded, pattern))
-                },
+                |rows| Box::new(ByNumDual::new(rows)),
             ),
         }
     }
@@ -82,34 +80,26 @@ impl<M: Model> AdProblem<M> {
         Self::assemble(
             model,
             |shape, pattern| Box::new(Lanes::<Magnitude<8>>::new(shape, pattern)),
-            |shape, recorded, pattern| {
-                Box::new(Rows::<MagnitudeLanes>::new(shape, recorded, pattern))
-            },
+            |rows| Box::new(ByMagnitude::new(rows)),
         )
     }
 
     fn assemble(
         model: M,
         lanes: impl FnOnce(&Shape, &Pattern) -> Box<dyn Pass<M>>,
-        rows: impl FnOnce(&Shape, &Recorded, &Pattern) -> Box<dyn Pass<M>>,
+        rows: impl FnOnce(Rows) -> Box<dyn Pass<M>>,
     ) -> Result<Self, ModelError> {
-        let shape = model.shape().clone();
-        let (pattern, pass, row_second_order) = if const { M::WHOLE.is_some() } {
+        let shape = Arc::new(model.shape().clone());
+        let (pattern, pass) = if const { M::WHOLE.is_some() } {
             check_whole(M::WHOLE, &shape)?;
-            let (pattern, second_order) = trace_whole(&model, &shape);
+            let pattern = trace_whole(&model, &shape);
             let pass = lanes(&shape, &pattern);
-            (pattern, pass, second_order)
+            (pattern, pass)
         } else {
-            let recorded = record_rows(&model, &shape)?;
-            let pattern = pattern_of(&shape, &recorded);
-            let pass = rows(&shape, &recorded, &pattern);
-            (pattern, pass, recorded.rows.iter().map(|reads| reads.second_order).collect())
+            let (pattern, workspace) = recorded(&model, &shape)?;
+            (pattern, rows(workspace))
         };
-        let mut second_order = vec![true; shape.n()];
-        for (row, has) in row_second_order.into_iter().enumerate() {
-            second_order[shape.variable_of_row(row)] = has;
-        }
-        Ok(AdProblem { model, shape, pattern, pass, second_order })
+        Ok(AdProblem { model, shape, pattern, pass })
     }
 
     /// The model.
@@ -122,7 +112,7 @@ impl<M: Model> AdProblem<M> {
     /// # Errors
     /// [`ModelError::UnknownName`], [`ModelError::Length`], [`ModelError::ParameterNotFinite`].
     pub fn set_parameter(&mut self, name: &str, values: &[f64]) -> Result<(), ModelError> {
-        self.shape.set_parameter(name, values)
+        Arc::make_mut(&mut self.shape).set_parameter(name, values)
     }
 
     /// Changes the start of this problem: [`Shape::set_start`].
@@ -130,7 +120,7 @@ impl<M: Model> AdProblem<M> {
     /// # Errors
     /// [`ModelError::Length`], [`ModelError::StartNotFinite`].
     pub fn set_start(&mut self, start: &[f64]) -> Result<(), ModelError> {
-        self.shape.set_start(start)
+        Arc::make_mut(&mut self.shape).set_start(start)
     }
 
     /// Changes all bounds of this problem: [`Shape::set_bounds`].
@@ -139,7 +129,7 @@ impl<M: Model> AdProblem<M> {
     /// [`ModelError::Length`], [`ModelError::UnusableBounds`], [`ModelError::CrossedBounds`],
     /// [`ModelError::Unpaired`].
     pub fn set_bounds(&mut self, lower: &[f64], upper: &[f64]) -> Result<(), ModelError> {
-        self.shape.set_bounds(lower, upper)
+        Arc::make_mut(&mut self.shape).set_bounds(lower, upper)
     }
 
     /// Fixes a variable of this problem, or all of a family, by name: [`Shape::fix`].
@@ -147,7 +137,7 @@ impl<M: Model> AdProblem<M> {
     /// # Errors
     /// [`ModelError::UnknownName`], [`ModelError::Length`], [`ModelError::UnusableBounds`].
     pub fn fix(&mut self, name: &str, value: f64) -> Result<(), ModelError> {
-        self.shape.fix(name, value)
+        Arc::make_mut(&mut self.shape).fix(name, value)
     }
 
     /// Changes a lower bound of this problem by name: [`Shape::set_lower`].
@@ -155,7 +145,7 @@ impl<M: Model> AdProblem<M> {
     /// # Errors
     /// As [`Shape::set_lower`].
     pub fn set_lower(&mut self, name: &str, lower: f64) -> Result<(), ModelError> {
-        self.shape.set_lower(name, lower)
+        Arc::make_mut(&mut self.shape).set_lower(name, lower)
     }
 
     /// Changes an upper bound of this problem by name: [`Shape::set_upper`].
@@ -163,7 +153,7 @@ impl<M: Model> AdProblem<M> {
     /// # Errors
     /// As [`Shape::set_upper`].
     pub fn set_upper(&mut self, name: &str, upper: f64) -> Result<(), ModelError> {
-        self.shape.set_upper(name, upper)
+        Arc::make_mut(&mut self.shape).set_upper(name, upper)
     }
 
     /// Changes the start of a variable of this problem by name: [`Shape::set_start_of`].
@@ -171,11 +161,19 @@ impl<M: Model> AdProblem<M> {
     /// # Errors
     /// As [`Shape::set_start_of`].
     pub fn set_start_of(&mut self, name: &str, value: f64) -> Result<(), ModelError> {
-        self.shape.set_start_of(name, value)
+        Arc::make_mut(&mut self.shape).set_start_of(name, value)
+    }
+
+    /// Starts this problem from another solution, by name: [`Shape::start_from`].
+    ///
+    /// # Errors
+    /// As [`Shape::start_from`].
+    pub fn start_from(&mut self, other: &Solution) -> Result<usize, ModelError> {
+        Arc::make_mut(&mut self.shape).start_from(other)
     }
 
     /// Bounds, start and names of this problem.
-    pub fn shape(&self) -> &Shape {
+    pub fn shape(&self) -> &Arc<Shape> {
         &self.shape
     }
 
@@ -185,7 +183,16 @@ impl<M: Model> AdProblem<M> {
     /// [`ModelError::NoSecondOrder`] names the first equation that calls an
     /// [`external`](crate::external()) function.
     pub fn check_second_order(&self) -> Result<(), ModelError> {
-        match self.second_order.iter().position(|has| !has) {
+        // All variables in one lane: only whether something is read matters.
+        let seed = |&z: &f64| Real(Trace::seed(z, 0));
+        let z: Vec<Real<Trace>> = self.shape.start().iter().map(seed).collect();
+        let parameters = constants(self.shape.parameter_values());
+        let f = evaluate_all(&self.model, &self.shape, &z, &parameters);
+        let lacks = |i: &usize| {
+            let row = self.shape.row_of_variable(*i);
+            row.is_some_and(|row| !f[row].into_scalar().has_second_order())
+        };
+        match (0..self.shape.n()).find(lacks) {
             Some(i) => Err(ModelError::NoSecondOrder { equation: self.shape.equation_name(i) }),
             None => Ok(()),
         }
@@ -229,6 +236,15 @@ impl<M: Model> AdProblem<M> {
         }
         Ok(jacobian)
     }
+}
+
+/// Pattern and workspace of a model given row by row. Not generic: compiled here, not with every
+/// model.
+fn recorded(model: &dyn RowsIn<f64>, shape: &Shape) -> Result<(Pattern, Rows), ModelError> {
+    let recorded = record_rows(model, shape)?;
+    let pattern = pattern_of(shape, &recorded);
+    let rows = Rows::new(shape, &recorded, &pattern);
+    Ok((pattern, rows))
 }
 
 /// A model of one function computes all rows of its shape and has no definitions.
@@ -280,20 +296,15 @@ fn evaluate_all<M: Model, D: Scalar>(
     z: &[Real<D>],
     parameters: &[Real<D>],
 ) -> Vec<Real<D>> {
-    let mut definitions: Vec<Real<D>> = Vec::with_capacity(shape.definition_count());
-    for (family, members) in shape.definitions().iter().enumerate() {
-        for index in 0..members.len() {
-            let value = model.def(family, index, &Reader::lanes(z, &definitions, parameters));
-            definitions.push(value);
-        }
-    }
+    let mut def = |k, index, read: &Reader<'_, D>| model.def(k, index, read);
+    let definitions = definitions(shape, &mut def, z, parameters);
     let mut f = vec![Real(D::constant(0.0)); shape.row_count()];
     model.whole(&Reader::lanes(z, &definitions, parameters), &mut f);
     f
 }
 
 impl<M: Model> Problem for AdProblem<M> {
-    fn shape(&self) -> &Shape {
+    fn shape(&self) -> &Arc<Shape> {
         &self.shape
     }
 
@@ -310,6 +321,10 @@ impl<M: Model> Problem for AdProblem<M> {
             (Some(f), None) => self.pass.residual(&self.model, z, parameters, f),
             (None, None) => {}
         }
+    }
+
+    fn derived(&self, z: &[f64]) -> Derived {
+        Derived::at(&self.model, z, self.shape.parameter_values())
     }
 }
 

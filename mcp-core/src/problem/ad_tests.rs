@@ -1,6 +1,7 @@
 use super::*;
-use crate::model::{Definition, Equation, Parameter, Set, Variable};
+use crate::model::{Block, Definition, Equation, Parameter, Set, Variable};
 use crate::scalar::{external, sum};
+use crate::solver::{Options, Solver};
 
 /// `price = a − Σq` is a definition, `markup[i] = price · q[i]` another that reads it;
 /// `F_i = c_i + q_i² − price + markup_i`, and one wide equation `s − Σ q_i³` for `s`.
@@ -202,4 +203,65 @@ fn a_fixed_variable_without_equation_has_an_empty_row() {
     problem.evaluate(&[1.0, 5.0], Some(&mut f), Some(&mut jac));
     assert_eq!(f, [0.0, 1.0]);
     assert_eq!(problem.pattern().position(1, 0), Some(0));
+}
+
+/// Trade on some routes between two places: `cost_k + price − 2 ⟂ flow_k`, where `price` is the sum
+/// of the flows into the destination, a definition with one element for each place.
+struct Routes(Shape);
+
+const PAIRS: Block<2> = Block::new(0, [2, 2]);
+
+fn routes(only: &[usize]) -> Routes {
+    let places = Set::new("places", ["a", "b"]).unwrap();
+    let over = [&places, &places];
+    let shape = Shape::builder()
+        .variable(Variable::new("flow").over(&over).only(only).lower(0.0).start(0.5))
+        .equation(Equation::new("profit").over(&over).only(only).complements("flow"))
+        .definition(Definition::new("price").over(&[&places]))
+        .parameter(Parameter::new("cost", vec![1.0; only.len()]).over(&over).only(only))
+        .build()
+        .unwrap();
+    Routes(shape)
+}
+
+impl Model for Routes {
+    fn shape(&self) -> &Shape {
+        &self.0
+    }
+    fn def<D: Scalar>(&self, _: usize, to: usize, read: &Reader<'_, D>) -> Real<D> {
+        let flow = &self.0.variables()[0];
+        let routes = (0..2).filter_map(|from| flow.position(PAIRS.at([from, to])));
+        routes.map(|k| read.var(k)).sum()
+    }
+    fn row<D: Scalar>(&self, _: usize, k: usize, read: &Reader<'_, D>) -> Real<D> {
+        let [_, to] = PAIRS.split(self.0.variables()[0].combination(k));
+        read.param(k) + read.def(to) - 2.0
+    }
+}
+
+#[test]
+fn a_model_with_absent_combinations_is_solved_and_read_by_name() {
+    let mut problem = AdProblem::new(routes(&[1, 2])).unwrap();
+    assert_eq!((problem.shape().n(), problem.pattern().nnz()), (2, 2));
+    problem.set_parameter("cost", &[1.5, 3.0]).unwrap();
+    let mut solver = Solver::new(Options::default()).unwrap();
+    let solution = solver.solve(&mut problem).unwrap().clone().solved().unwrap();
+    assert!((solution.level("flow[a, b]").unwrap() - 0.5).abs() < 1e-9);
+    assert!((solution.marginal("flow[b, a]").unwrap() - 1.0).abs() < 1e-9);
+    assert!(solution.level("flow[a, a]").is_err());
+
+    let mut more = AdProblem::new(routes(&[0, 1])).unwrap();
+    assert_eq!(more.start_from(&solution), Ok(1));
+    assert_eq!(more.shape().start(), [0.5, solution.z[0]]);
+}
+
+#[test]
+fn a_solution_keeps_the_shape_it_was_solved_with() {
+    let mut problem = AdProblem::new(market(2)).unwrap();
+    let mut solver = Solver::new(Options::default()).unwrap();
+    let solution = solver.solve(&mut problem).unwrap().clone();
+    assert!(Arc::ptr_eq(&solution.shape, problem.shape()));
+    problem.set_parameter("a", &[20.0]).unwrap();
+    assert_eq!(solution.shape.parameter_values()[0], 10.0);
+    assert_eq!(problem.shape().parameter_values()[0], 20.0);
 }

@@ -1,7 +1,8 @@
 //! [`Counting`]: a problem that counts its passes, independently of any solver's bookkeeping.
 
-use super::{Pattern, Problem};
+use super::{Derived, Pattern, Problem};
 use crate::model::Shape;
+use std::sync::Arc;
 
 /// Passes over a problem. A pass that gives both `F` and `J` counts as a pass of `J`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -31,7 +32,7 @@ impl<P: Problem> Counting<P> {
 }
 
 impl<P: Problem> Problem for Counting<P> {
-    fn shape(&self) -> &Shape {
+    fn shape(&self) -> &Arc<Shape> {
         self.problem.shape()
     }
     fn pattern(&self) -> &Pattern {
@@ -44,5 +45,8 @@ impl<P: Problem> Problem for Counting<P> {
             self.passes.residual += 1;
         }
         self.problem.evaluate(z, f, jac);
+    }
+    fn derived(&self, z: &[f64]) -> Derived {
+        self.problem.derived(z)
     }
 }

@@ -9,12 +9,13 @@
 //!   and definitions it reads. `J = ∂f/∂z + ∂f/∂d · ∂d/∂z` is assembled sparsely. Cost: for a row
 //!   that reads `k` numbers, one evaluation with `k` lanes, in chunks of 16.
 //!
-//! Lane counts are the smallest of 1, 2, 4, 8, 16 that suffice. The pattern comes from the reads of
-//! every row, recorded once.
+//! A function has the smallest of 1, 2, 4, 8, 16 lanes that suffices, a row 8 or 16: a user's compiler
+//! meets every row once for each count. The pattern comes from the reads of every row, recorded once.
 
 mod ad;
 mod counting;
 mod derivative_check;
+mod derived;
 mod lanes;
 mod pattern;
 mod record;
@@ -23,17 +24,22 @@ mod rows;
 pub use ad::{AdProblem, Engine};
 pub use counting::{Counting, Passes};
 pub use derivative_check::{Comparison, DerivativeReport, WrongDerivative, check_derivatives};
+pub use derived::Derived;
+#[doc(hidden)]
+pub use derived::PlainModel;
+pub(crate) use derived::{plain, plain_definitions};
 pub use pattern::{Pattern, WithDiagonal};
 
 use crate::model::Shape;
+use std::sync::Arc;
 
 /// A mixed complementarity problem as numbers: object safe, the same for models, hand-coded
 /// functions and files.
 ///
 /// Implement it directly for functions that come with their own Jacobian.
 pub trait Problem {
-    /// Bounds, start, names.
-    fn shape(&self) -> &Shape;
+    /// Bounds, start, names; shared with every [`Solution`](crate::Solution).
+    fn shape(&self) -> &Arc<Shape>;
 
     /// Structural nonzeros of the Jacobian; the same at every call.
     fn pattern(&self) -> &Pattern;
@@ -44,12 +50,17 @@ pub trait Problem {
     /// the [`pattern`](Self::pattern). Lengths: `n`, `n`, `nnz`. Outside the domain of `F`, entries
     /// are NaN or infinite; that is an answer, not an error.
     fn evaluate(&mut self, z: &[f64], f: Option<&mut [f64]>, jac: Option<&mut [f64]>);
+
+    /// Definitions and reports at `z`, for people to read; a problem that is no model has none.
+    fn derived(&self, _z: &[f64]) -> Derived {
+        Derived::default()
+    }
 }
 
 macro_rules! forward {
     ($Pointer:ty) => {
         impl<P: Problem + ?Sized> Problem for $Pointer {
-            fn shape(&self) -> &Shape {
+            fn shape(&self) -> &Arc<Shape> {
                 (**self).shape()
             }
             fn pattern(&self) -> &Pattern {
@@ -57,6 +68,9 @@ macro_rules! forward {
             }
             fn evaluate(&mut self, z: &[f64], f: Option<&mut [f64]>, jac: Option<&mut [f64]>) {
                 (**self).evaluate(z, f, jac);
+            }
+            fn derived(&self, z: &[f64]) -> Derived {
+                (**self).derived(z)
             }
         }
     };

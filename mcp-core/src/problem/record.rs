@@ -1,8 +1,9 @@
 //! Which variables, definitions and parameters every row reads.
 
 use super::Pattern;
+use super::rows::{Kind, RowsIn};
 use crate::error::ModelError;
-use crate::model::{Model, Point, Reader, Reads, Row, Shape};
+use crate::model::{Model, Point, Reader, Reads, Recorder, Row, Shape};
 use crate::scalar::{Real, Scalar, Trace};
 use std::cell::RefCell;
 
@@ -11,8 +12,6 @@ use std::cell::RefCell;
 pub(super) struct RowReads {
     pub(super) variables: Vec<usize>,
     pub(super) definitions: Vec<usize>,
-    /// Whether second derivatives exist: false with an external function inside.
-    pub(super) second_order: bool,
 }
 
 /// What all rows of a model read.
@@ -36,28 +35,25 @@ pub(super) fn all_rows(lengths: impl Iterator<Item = usize>) -> Vec<Row> {
 
 /// Runs every row once at the start of the model and notes what it reads. The values do not matter:
 /// models cannot branch on them.
-pub(super) fn record_rows<M: Model>(model: &M, shape: &Shape) -> Result<Recorded, ModelError> {
+pub(super) fn record_rows(model: &dyn RowsIn<f64>, shape: &Shape) -> Result<Recorded, ModelError> {
     let unknown = vec![f64::NAN; shape.definition_count()];
     let point =
         Point { z: shape.start(), definitions: &unknown, parameters: shape.parameter_values() };
     let mut definitions: Vec<RowReads> = Vec::new();
-    for (k, row) in all_rows(shape.definitions().iter().map(crate::Family::len)).iter().enumerate()
+    for (k, &row) in all_rows(shape.definitions().iter().map(crate::Family::len)).iter().enumerate()
     {
         let name = || shape.definition_name(k);
-        let mut reads = record(shape, point, name, |r| model.def(row.family, row.index, r))?;
+        let reads = record(shape, point, &name, |r| model.row_in(Kind::Definition, row, r))?;
         if let Some(&later) = reads.definitions.iter().find(|&&d| d >= k) {
             let (definition, later) = (name(), shape.definition_name(later));
             return Err(ModelError::DefinitionOrder { definition, later });
         }
-        reads.second_order &= reads.definitions.iter().all(|&d| definitions[d].second_order);
         definitions.push(reads);
     }
     let mut rows = Vec::new();
-    for (number, row) in all_rows(shape.equations().map(crate::Family::len)).iter().enumerate() {
+    for (number, &row) in all_rows(shape.equations().map(crate::Family::len)).iter().enumerate() {
         let name = || shape.equation_name(shape.variable_of_row(number));
-        let mut reads = record(shape, point, name, |r| model.row(row.family, row.index, r))?;
-        reads.second_order &= reads.definitions.iter().all(|&d| definitions[d].second_order);
-        rows.push(reads);
+        rows.push(record(shape, point, &name, |r| model.row_in(Kind::Equation, row, r))?);
     }
     let mut definition_supports: Vec<Vec<usize>> = Vec::new();
     for reads in &definitions {
@@ -82,12 +78,12 @@ pub(super) fn support_of(reads: &RowReads, definition_supports: &[Vec<usize>]) -
 fn record(
     shape: &Shape,
     point: Point<'_>,
-    name: impl Fn() -> String,
-    row: impl FnOnce(&Reader<'_, Trace>) -> Real<Trace>,
+    name: &dyn Fn() -> String,
+    row: impl FnOnce(&Reader<'_, f64>) -> Real<f64>,
 ) -> Result<RowReads, ModelError> {
-    let reads = RefCell::new(Reads::default());
-    let result = row(&Reader::recording(point, &reads)).into_scalar();
-    let Reads { mut variables, mut definitions, mut parameters } = reads.into_inner();
+    let recorder = Recorder { point, reads: RefCell::new(Reads::default()) };
+    let _ = row(&Reader::other(&recorder));
+    let Reads { mut variables, mut definitions, mut parameters } = recorder.reads.into_inner();
     let limits = [
         ("variable", &mut variables, shape.n()),
         ("definition", &mut definitions, shape.definition_count()),
@@ -100,26 +96,22 @@ fn record(
             return Err(ModelError::ReadOutOfRange { row: name(), kind, index, count });
         }
     }
-    Ok(RowReads { variables, definitions, second_order: result.has_second_order() })
+    Ok(RowReads { variables, definitions })
 }
 
-/// Pattern of a model whose rows come from one function, and whether each row has second
-/// derivatives: dependencies traced through the function, 128 variables at a time.
-pub(super) fn trace_whole<M: Model>(model: &M, shape: &Shape) -> (Pattern, Vec<bool>) {
+/// Pattern of a model whose rows come from one function: dependencies traced through the function,
+/// 128 variables at a time.
+pub(super) fn trace_whole<M: Model>(model: &M, shape: &Shape) -> Pattern {
     let n = shape.n();
-    let rows = shape.row_count();
     let mut columns = vec![Vec::new(); n];
-    let mut second_order = vec![true; rows];
-    let mut f = vec![Real(Trace::constant(0.0)); rows];
-    let parameters: Vec<Real<Trace>> =
-        shape.parameter_values().iter().map(|&p| Real::from(p)).collect();
+    let mut f = vec![Real(Trace::constant(0.0)); shape.row_count()];
+    let parameters = constants(shape.parameter_values());
     for first in (0..n).step_by(Trace::LANES) {
         let seed = |(j, &z): (usize, &f64)| Real(Trace::seed(z, j.wrapping_sub(first)));
         let z: Vec<Real<Trace>> = shape.start().iter().enumerate().map(seed).collect();
         model.whole(&Reader::lanes(&z, &[], &parameters), &mut f);
         for (row, f) in f.iter().enumerate() {
             let i = shape.variable_of_row(row);
-            second_order[row] &= f.into_scalar().has_second_order();
             for j in first..n.min(first + Trace::LANES) {
                 if f.into_scalar().depends_on(j - first) {
                     columns[j].push(i);
@@ -127,5 +119,10 @@ pub(super) fn trace_whole<M: Model>(model: &M, shape: &Shape) -> (Pattern, Vec<b
             }
         }
     }
-    (Pattern::from_columns(columns), second_order)
+    Pattern::from_columns(columns)
+}
+
+/// Numbers without tangents.
+pub(super) fn constants<D: Scalar>(values: &[f64]) -> Vec<Real<D>> {
+    values.iter().map(|&value| Real(D::constant(value))).collect()
 }

@@ -1,10 +1,13 @@
 //! Derivatives row by row: a row carries only the lanes of what it reads.
+//!
+//! Everything but the rows themselves is compiled once, whatever the model: it sees the model as
+//! [`RowsIn`] an arithmetic.
 
 use super::Pattern;
 use super::ad::Pass;
 use super::record::{Recorded, RowReads, all_rows, support_of};
-use crate::model::{Family, Model, Point, Reader, Row, Shape, Slots};
-use crate::scalar::{Jet, Magnitude, Scalar};
+use crate::model::{Family, Local, Model, Point, Reader, Row, Shape, Slots};
+use crate::scalar::{Jet, Magnitude, Real, Scalar};
 use num_dual::DualSVec64;
 use std::marker::PhantomData;
 use std::ops::Range;
@@ -12,55 +15,63 @@ use std::ops::Range;
 /// The slot of a number that the row at hand does not read: it carries no tangent.
 const NO_LANE: u32 = u32::MAX;
 
-/// Chooses the arithmetic for a row with a given number of lanes.
-pub(super) trait LaneChoice {
-    /// Evaluates `row`, gives the derivative in each lane to `put` in order, returns the value.
-    fn evaluate<M: Model>(row: &LocalRow<'_, M>, put: &mut impl FnMut(usize, f64)) -> f64;
+/// Rows of a model in one arithmetic, whatever the model.
+pub(super) trait RowsIn<D: Scalar> {
+    /// An equation or a definition.
+    fn row_in(&self, kind: Kind, row: Row, read: &Reader<'_, D>) -> Real<D>;
 }
 
-/// [`Jet`] with the smallest sufficient number of lanes.
-pub(super) struct JetLanes;
-
-impl LaneChoice for JetLanes {
-    fn evaluate<M: Model>(row: &LocalRow<'_, M>, put: &mut impl FnMut(usize, f64)) -> f64 {
-        match row.lanes {
-            0 => row.value(),
-            1 => row.evaluate::<Jet<1>>(put),
-            2 => row.evaluate::<Jet<2>>(put),
-            3..=4 => row.evaluate::<Jet<4>>(put),
-            5..=8 => row.evaluate::<Jet<8>>(put),
-            _ => row.evaluate::<Jet<16>>(put),
+impl<M: Model, D: Scalar> RowsIn<D> for M {
+    fn row_in(&self, kind: Kind, Row { family, index }: Row, read: &Reader<'_, D>) -> Real<D> {
+        match kind {
+            Kind::Equation => self.row(family, index, read),
+            Kind::Definition => self.def(family, index, read),
         }
     }
 }
 
-/// num-dual's vector duals, eight lanes at a time.
-pub(super) struct NumDualLanes;
-
-impl LaneChoice for NumDualLanes {
-    fn evaluate<M: Model>(row: &LocalRow<'_, M>, put: &mut impl FnMut(usize, f64)) -> f64 {
-        row.evaluate::<DualSVec64<8>>(put)
-    }
-}
-
-/// Sizes of the terms of every derivative instead of the derivatives.
-pub(super) struct MagnitudeLanes;
-
-impl LaneChoice for MagnitudeLanes {
-    fn evaluate<M: Model>(row: &LocalRow<'_, M>, put: &mut impl FnMut(usize, f64)) -> f64 {
-        row.evaluate::<Magnitude<8>>(put)
-    }
-}
-
 #[derive(Clone, Copy)]
-enum Kind {
+pub(super) enum Kind {
     Equation,
     Definition,
 }
 
+/// Rows with derivatives, in an arithmetic that is chosen by their number of lanes.
+pub(super) trait LaneChoice {
+    /// Evaluates `row`, gives the derivative in each lane to `put` in order, returns the value.
+    fn evaluate(&self, row: &LocalRow<'_>, put: &mut impl FnMut(usize, f64)) -> f64;
+}
+
+/// Rows in plain numbers and in those of [`Jets`].
+pub(super) trait JetRows: RowsIn<f64> + RowsIn<Jet<8>> + RowsIn<Jet<16>> {}
+
+impl<M: Model> JetRows for M {}
+
+/// [`Jet`] with 8 or 16 lanes at a time: few counts, because a user's compiler meets every row once
+/// for each. One of 4 gains nothing for narrow rows.
+struct Jets<'a>(&'a dyn JetRows);
+
+impl LaneChoice for Jets<'_> {
+    fn evaluate(&self, row: &LocalRow<'_>, put: &mut impl FnMut(usize, f64)) -> f64 {
+        match row.lanes {
+            0 => row.value(self.0),
+            1..=8 => row.evaluate::<Jet<8>>(self.0, put),
+            _ => row.evaluate::<Jet<16>>(self.0, put),
+        }
+    }
+}
+
+/// One arithmetic for all rows.
+struct Always<'a, D>(&'a dyn RowsIn<D>);
+
+impl<D: Scalar> LaneChoice for Always<'_, D> {
+    fn evaluate(&self, row: &LocalRow<'_>, put: &mut impl FnMut(usize, f64)) -> f64 {
+        row.evaluate(self.0, put)
+    }
+}
+
 /// One equation or definition at a point, with the lanes of what it reads.
-pub(super) struct LocalRow<'a, M> {
-    model: &'a M,
+pub(super) struct LocalRow<'a> {
     kind: Kind,
     row: Row,
     point: Point<'a>,
@@ -68,24 +79,21 @@ pub(super) struct LocalRow<'a, M> {
     lanes: usize,
 }
 
-impl<M: Model> LocalRow<'_, M> {
-    fn run<D: Scalar>(&self, read: &Reader<'_, D>) -> D {
-        let Row { family, index } = self.row;
-        match self.kind {
-            Kind::Equation => self.model.row(family, index, read).0,
-            Kind::Definition => self.model.def(family, index, read).0,
-        }
-    }
-
-    fn value(&self) -> f64 {
-        self.run::<f64>(&Reader::plain(self.point))
+impl LocalRow<'_> {
+    fn value(&self, rows: &(impl RowsIn<f64> + ?Sized)) -> f64 {
+        rows.row_in(self.kind, self.row, &Reader::plain(self.point)).0
     }
 
     /// One evaluation for every `D::LANES` lanes.
-    pub(super) fn evaluate<D: Scalar>(&self, put: &mut impl FnMut(usize, f64)) -> f64 {
+    fn evaluate<D: Scalar>(
+        &self,
+        rows: &(impl RowsIn<D> + ?Sized),
+        put: &mut impl FnMut(usize, f64),
+    ) -> f64 {
         let mut first = 0;
         loop {
-            let result = self.run(&Reader::<D>::local(self.point, self.slots, small(first)));
+            let local = Local { point: self.point, slots: self.slots, first_lane: small(first) };
+            let result = rows.row_in(self.kind, self.row, &Reader::other(&local)).0;
             for k in first..self.lanes.min(first + D::LANES) {
                 put(k, result.tangent(k - first));
             }
@@ -178,9 +186,9 @@ impl Plan {
 
     /// Value of a row; its derivatives by variables are added to the row's targets in `gradient`.
     /// `known` are the gradients of the definitions it may read.
-    fn differentiate<L: LaneChoice, M: Model>(
+    fn differentiate(
         &self,
-        (model, kind, plan): (&M, Kind, &RowPlan),
+        (model, kind, plan): (&impl LaneChoice, Kind, &RowPlan),
         point: Point<'_>,
         slots: &mut SlotTable,
         known: &[f64],
@@ -191,9 +199,9 @@ impl Plan {
         let targets = &self.targets[plan.targets.clone()];
         slots.assign(variables, definitions);
         let lanes = variables.len() + definitions.len();
-        let row = LocalRow { model, kind, row: plan.row, point, slots: slots.view(), lanes };
+        let row = LocalRow { kind, row: plan.row, point, slots: slots.view(), lanes };
         let mut used = variables.len();
-        let value = L::evaluate(&row, &mut |lane, derivative| {
+        let value = model.evaluate(&row, &mut |lane, derivative| {
             if lane < variables.len() {
                 gradient[targets[lane] as usize] += derivative;
                 return;
@@ -246,17 +254,16 @@ impl SlotTable {
     }
 }
 
-/// Workspace of row-by-row evaluation with lanes chosen by `L`.
-pub(super) struct Rows<L> {
+/// Workspace of row-by-row evaluation.
+pub(super) struct Rows {
     plan: Plan,
     slots: SlotTable,
     definition_values: Vec<f64>,
     /// Gradients of all definitions by the variables of their supports, one after the other.
     gradients: Vec<f64>,
-    choice: PhantomData<L>,
 }
 
-impl<L> Rows<L> {
+impl Rows {
     pub(super) fn new(shape: &Shape, recorded: &Recorded, pattern: &Pattern) -> Self {
         let plan = Plan::new(shape, recorded, pattern);
         let definitions = plan.definitions.len();
@@ -268,8 +275,65 @@ impl<L> Rows<L> {
             definition_values: vec![0.0; definitions],
             gradients: vec![0.0; plan.gradient_of.last().map_or(0, |range| range.end)],
             plan,
-            choice: PhantomData,
         }
+    }
+
+    fn residual(&mut self, rows: &dyn RowsIn<f64>, z: &[f64], parameters: &[f64], f: &mut [f64]) {
+        for (k, plan) in self.plan.definitions.iter().enumerate() {
+            let point = Point { z, definitions: &self.definition_values, parameters };
+            let value = rows.row_in(Kind::Definition, plan.row, &Reader::plain(point));
+            self.definition_values[k] = value.0;
+        }
+        let point = Point { z, definitions: &self.definition_values, parameters };
+        let read = Reader::plain(point);
+        if f.len() > self.plan.equations.len() {
+            f.fill(0.0);
+        }
+        for (plan, &i) in self.plan.equations.iter().zip(&self.plan.variable_of_row) {
+            f[i] = rows.row_in(Kind::Equation, plan.row, &read).0;
+        }
+    }
+
+    fn jacobian(
+        &mut self,
+        rows: &impl LaneChoice,
+        (z, parameters): (&[f64], &[f64]),
+        mut f: Option<&mut [f64]>,
+        jac: &mut [f64],
+    ) {
+        let Rows { plan, slots, definition_values, gradients } = self;
+        gradients.fill(0.0);
+        for (k, row) in plan.definitions.iter().enumerate() {
+            let (known, own) = gradients.split_at_mut(plan.gradient_of[k].start);
+            let point = Point { z, definitions: definition_values, parameters };
+            let row = (rows, Kind::Definition, row);
+            definition_values[k] = plan.differentiate(row, point, slots, known, own);
+        }
+        jac.fill(0.0);
+        if let Some(f) = &mut f
+            && f.len() > plan.equations.len()
+        {
+            f.fill(0.0);
+        }
+        let point = Point { z, definitions: definition_values, parameters };
+        for (row, &i) in plan.equations.iter().zip(&plan.variable_of_row) {
+            let row = (rows, Kind::Equation, row);
+            let value = plan.differentiate(row, point, slots, gradients, jac);
+            if let Some(f) = &mut f {
+                f[i] = value;
+            }
+        }
+    }
+
+    /// Not generic: compiled here, not with every model.
+    fn jacobian_by_jets(
+        &mut self,
+        rows: &dyn JetRows,
+        at: (&[f64], &[f64]),
+        f: Option<&mut [f64]>,
+        jac: &mut [f64],
+    ) {
+        self.jacobian(&Jets(rows), at, f, jac);
     }
 }
 
@@ -283,52 +347,55 @@ pub(super) fn pattern_of(shape: &Shape, recorded: &Recorded) -> Pattern {
     Pattern::from_rows(&row_columns)
 }
 
-impl<M: Model, L: LaneChoice> Pass<M> for Rows<L> {
-    fn residual(&mut self, model: &M, z: &[f64], parameters: &[f64], f: &mut [f64]) {
-        for (k, plan) in self.plan.definitions.iter().enumerate() {
-            let point = Point { z, definitions: &self.definition_values, parameters };
-            let read = Reader::<f64>::plain(point);
-            self.definition_values[k] = model.def(plan.row.family, plan.row.index, &read).0;
-        }
-        let point = Point { z, definitions: &self.definition_values, parameters };
-        let read = Reader::<f64>::plain(point);
-        if f.len() > self.plan.equations.len() {
-            f.fill(0.0);
-        }
-        for (plan, &i) in self.plan.equations.iter().zip(&self.plan.variable_of_row) {
-            f[i] = model.row(plan.row.family, plan.row.index, &read).0;
-        }
-    }
+/// Derivatives by [`Jet`].
+pub(super) struct ByJets(pub(super) Rows);
 
+impl<M: Model> Pass<M> for ByJets {
+    fn residual(&mut self, model: &M, z: &[f64], parameters: &[f64], f: &mut [f64]) {
+        self.0.residual(model, z, parameters, f);
+    }
     fn jacobian(
         &mut self,
         model: &M,
-        (z, parameters): (&[f64], &[f64]),
+        at: (&[f64], &[f64]),
         _pattern: &Pattern,
-        mut f: Option<&mut [f64]>,
+        f: Option<&mut [f64]>,
         jac: &mut [f64],
     ) {
-        let Rows { plan, slots, definition_values, gradients, .. } = self;
-        gradients.fill(0.0);
-        for (k, row) in plan.definitions.iter().enumerate() {
-            let (known, own) = gradients.split_at_mut(plan.gradient_of[k].start);
-            let point = Point { z, definitions: definition_values, parameters };
-            let row = (model, Kind::Definition, row);
-            definition_values[k] = plan.differentiate::<L, M>(row, point, slots, known, own);
-        }
-        jac.fill(0.0);
-        if let Some(f) = &mut f
-            && f.len() > plan.equations.len()
-        {
-            f.fill(0.0);
-        }
-        let point = Point { z, definitions: definition_values, parameters };
-        for (row, &i) in plan.equations.iter().zip(&plan.variable_of_row) {
-            let row = (model, Kind::Equation, row);
-            let value = plan.differentiate::<L, M>(row, point, slots, gradients, jac);
-            if let Some(f) = &mut f {
-                f[i] = value;
-            }
-        }
+        self.0.jacobian_by_jets(model, at, f, jac);
+    }
+}
+
+/// Derivatives in one arithmetic for all rows.
+pub(super) struct By<D> {
+    rows: Rows,
+    arithmetic: PhantomData<fn() -> D>,
+}
+
+impl<D> By<D> {
+    pub(super) fn new(rows: Rows) -> Self {
+        By { rows, arithmetic: PhantomData }
+    }
+}
+
+/// num-dual's vector duals, eight lanes at a time.
+pub(super) type ByNumDual = By<DualSVec64<8>>;
+
+/// Sizes of the terms of every derivative instead of the derivatives.
+pub(super) type ByMagnitude = By<Magnitude<8>>;
+
+impl<M: Model, D: Scalar> Pass<M> for By<D> {
+    fn residual(&mut self, model: &M, z: &[f64], parameters: &[f64], f: &mut [f64]) {
+        self.rows.residual(model, z, parameters, f);
+    }
+    fn jacobian(
+        &mut self,
+        model: &M,
+        at: (&[f64], &[f64]),
+        _pattern: &Pattern,
+        f: Option<&mut [f64]>,
+        jac: &mut [f64],
+    ) {
+        self.rows.jacobian(&Always::<D>(model), at, f, jac);
     }
 }

@@ -5,7 +5,7 @@
 //! marginal of a variable without equation. CSV has the same words, and an empty field for none.
 
 use super::format::{exact, special};
-use super::{Fault, Report, ReportError, SIGN_CONVENTION, Statistics};
+use super::{DerivedRow, Fault, Report, ReportError, SIGN_CONVENTION, Statistics};
 use crate::solver::{Direction, Stats};
 use serde::ser::{Serialize, SerializeSeq, Serializer};
 use std::io::{BufWriter, Write};
@@ -17,7 +17,8 @@ const COLUMNS: [&str; 9] =
 impl Report {
     /// Writes the whole solution table as CSV: `variable, lower, level, upper, marginal, rent,
     /// state, unit, equation`. Every digit is kept; infinities are `inf` and `-inf`; what there is
-    /// not is empty. The state is that of the text: `at lower`, …
+    /// not is empty. The state is that of the text: `at lower`, …; after the variables come reports
+    /// and definitions, whose state is `report` or `definition`.
     ///
     /// # Errors
     /// [`ReportError::Io`], [`ReportError::Csv`].
@@ -38,13 +39,17 @@ impl Report {
                 row.equation.as_deref().unwrap_or_default(),
             ])?;
         }
+        for row in self.derived() {
+            let (kind, value) = (row.kind.to_string(), exact(row.value));
+            csv.write_record([&row.name, "", &value, "", "", "", &kind, &row.unit, ""])?;
+        }
         Ok(csv.flush()?)
     }
 
     /// Writes everything as one JSON object: `name, sign_convention, method, status, meaning,
     /// advice, natural_residual, worst_equation, relative_residual, worst_relative_equation,
     /// bound_violation, vanishing_equation, diverging_variable, start_was_moved, fault, stats,
-    /// statistics, variables`.
+    /// statistics, variables, derived`.
     ///
     /// A number that is not finite is the string `"inf"`, `"-inf"` or `"NaN"`; `null` means that
     /// there is none. States are `at_lower`, `at_upper`, `interior`, `fixed`, `free`, `outside`.
@@ -86,6 +91,7 @@ impl Report {
             stats: &solution.stats,
             statistics: self.statistics(),
             variables: Rows(self),
+            derived: self.derived().collect(),
         }
     }
 }
@@ -113,6 +119,7 @@ struct Document<'a> {
     stats: &'a Stats,
     statistics: &'a Statistics,
     variables: Rows<'a>,
+    derived: Vec<DerivedRow>,
 }
 
 /// The rows of a report, made one by one.

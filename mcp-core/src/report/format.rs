@@ -6,12 +6,12 @@ use std::ops::RangeInclusive;
 /// Six significant digits without trailing zeros: `0`, `2.8`, `0.466667`, `1.5e-9`, `inf`, `NaN`.
 ///
 /// Plain notation from 10⁻⁴ to 10⁹, where digits before the point are never cut. Never `-0`.
-pub(super) fn number(x: f64) -> String {
+pub(crate) fn number(x: f64) -> String {
     rounded(x, 6, -4..=8)
 }
 
 /// Two significant digits for sizes of errors: `4.4e-16`, `0.5`, `13`, `0`, `NaN`.
-pub(super) fn size(x: f64) -> String {
+pub(crate) fn size(x: f64) -> String {
     rounded(x, 2, -3..=4)
 }
 
@@ -111,7 +111,7 @@ fn char_width(c: char) -> usize {
 }
 
 /// A name fit for one line: control characters are replaced by `�`.
-pub(super) fn clean(name: &str) -> String {
+pub(crate) fn clean(name: &str) -> String {
     name.replace(char::is_control, "\u{fffd}")
 }
 

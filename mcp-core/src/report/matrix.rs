@@ -12,7 +12,7 @@ const LINE: usize = 100;
 impl Report {
     /// Writes a family with two index sets as a table, the first set down, the second across: levels
     /// for a variable family, values of `F` for an equation family. Wide tables are cut into blocks
-    /// of about 100 characters.
+    /// of about 100 characters; combinations that a sparse family does not have stay blank.
     ///
     /// # Errors
     /// [`ReportError::Model`] for a name that no variable or equation family has,
@@ -61,8 +61,11 @@ fn write_blocks(
         let mut block = Vec::new();
         while column < across.len() {
             let label = across.label(column);
-            let cells: Vec<String> =
-                (0..down.len()).map(|i| number(value(i * across.len() + column))).collect();
+            let cell = |i| match family.position(i * across.len() + column) {
+                Some(k) => number(value(k)),
+                None => String::new(),
+            };
+            let cells: Vec<String> = (0..down.len()).map(cell).collect();
             let widest = cells.iter().map(|cell| width(cell)).max().unwrap_or(0);
             used += 2 + widest.max(width(&label));
             if used > LINE && !block.is_empty() {
@@ -123,6 +126,39 @@ x[plants, markets]: level [cases]
 ";
         assert_eq!(matrix(&report, "x"), expected);
         assert!(matrix(&report, "profit").starts_with("profit[plants, markets]: F\n"));
+    }
+
+    #[test]
+    fn absent_combinations_are_blank() {
+        let cities = Set::new("cities", ["a", "b", "c"]).unwrap();
+        let roads = [1, 3, 6];
+        let over = [&cities, &cities];
+        let shape = Shape::builder()
+            .variable(Variable::new("flow").over(&over).only(roads))
+            .equation(Equation::new("cost").over(&over).only(roads).complements("flow"))
+            .build()
+            .unwrap();
+        let mut problem = Linear::diagonal(shape, &[1.0; 3], &[0.0, 0.0, 0.5]);
+        let solution = problem.ended(&[1.5, 20.0, 3.0], Status::IterationLimit);
+        let report = Report::new(&mut problem, &solution).unwrap();
+        let levels = "\
+flow[cities, cities]: level
+     a    b  c
+ a      1.5
+ b  20
+ c   3
+";
+        assert_eq!(matrix(&report, "flow"), levels);
+        let values = "\
+cost[cities, cities]: F
+       a    b  c
+ a        1.5
+ b  20
+ c   3.5
+";
+        assert_eq!(matrix(&report, "cost"), values);
+        assert_eq!(report.row_count(), 3);
+        assert_eq!(report.row(2).variable, "flow[c, a]");
     }
 
     #[test]

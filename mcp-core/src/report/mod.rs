@@ -5,7 +5,7 @@
 //! | [`Statement`] | what the model is and how its Jacobian looks at the start | text, serde |
 //! | [`IterationTable`] | one line for each iterate, PATH's columns | text, while solving |
 //! | [`IterationLog`] | the same, kept | CSV, JSON |
-//! | [`Report`] | status, residuals, [`Statistics`], solution table | text, CSV, JSON |
+//! | [`Report`] | status, residuals, [`Statistics`], solution table, reports and definitions | text, CSV, JSON |
 //!
 //! Everything is named by variable and equation, and everything is written to a
 //! [`Write`](std::io::Write) or [`Display`](std::fmt::Display) of the caller's choice; nothing is
@@ -17,11 +17,13 @@
 //! monotone, so a level inside its bounds is never shown outside them. Files hold every digit. A
 //! negative zero is written as zero everywhere.
 
+mod derived;
 #[cfg(feature = "serde")]
 mod export;
-mod format;
+pub(crate) mod format;
 mod log;
 mod matrix;
+mod norms;
 mod outcome;
 mod rows;
 mod statement;
@@ -33,10 +35,13 @@ mod text;
 #[cfg(test)]
 mod samples;
 
+pub use derived::{DerivedKind, DerivedRow};
 pub use log::{IterationLog, IterationRecord};
 pub use outcome::{Fault, Report};
 pub use rows::{ReportRow, State};
-pub use statement::{Examples, FamilyStatement, Kinds, PairStatement, RowNorm, Statement};
+pub use statement::{
+    ColumnNorm, Examples, FamilyStatement, Kinds, PairStatement, RowNorm, Statement,
+};
 pub use statistics::{Measure, Statistics};
 pub use table::IterationTable;
 

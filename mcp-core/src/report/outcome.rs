@@ -4,8 +4,9 @@ use super::{ReportRow, State, Statistics};
 use crate::error::ModelError;
 use crate::model::{BoundKind, Shape};
 use crate::ncp::mid;
-use crate::problem::Problem;
+use crate::problem::{Derived, Problem};
 use crate::solver::{Certificate, Solution, Status};
+use std::sync::Arc;
 
 #[cfg(feature = "serde")]
 use super::export::{number, reads};
@@ -38,9 +39,10 @@ use super::export::{number, reads};
 #[derive(Clone, Debug)]
 pub struct Report {
     pub(super) name: String,
-    pub(super) shape: Shape,
+    pub(super) shape: Arc<Shape>,
     pub(super) solution: Solution,
     pub(super) statistics: Statistics,
+    pub(super) derived: Derived,
     pub(super) fault: Option<Fault>,
 }
 
@@ -67,7 +69,7 @@ impl Report {
     /// for the [`Statistics`]; parameters and bounds should be those of the solve.
     ///
     /// # Errors
-    /// [`ModelError::Length`] if the solution is one of another problem.
+    /// [`ModelError::Length`], [`ModelError::OtherModel`] if the solution is one of another problem.
     pub fn new(problem: &mut dyn Problem, solution: &Solution) -> Result<Self, ModelError> {
         let expected = problem.shape().n();
         for (what, list) in [("levels", &solution.z), ("values of F", &solution.f)] {
@@ -76,12 +78,14 @@ impl Report {
                 return Err(ModelError::Length { what, expected, found });
             }
         }
+        problem.shape().check_families_of(&solution.shape)?;
         let statistics = Statistics::at(problem, &solution.z);
         Ok(Report {
             name: String::new(),
-            shape: problem.shape().clone(),
+            shape: Arc::clone(problem.shape()),
             solution: solution.clone(),
             statistics,
+            derived: problem.derived(&solution.z),
             fault: Fault::of(problem, solution),
         })
     }

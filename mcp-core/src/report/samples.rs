@@ -5,10 +5,11 @@ use crate::problem::{AdProblem, Pattern, Problem};
 use crate::scalar::{Real, Scalar};
 use crate::solver::{DomainFault, Method, Solution, Stats, Status, certify};
 use std::io::{self, Write};
+use std::sync::Arc;
 
 /// `F = M z + q` with any entries, NaN included.
 pub(super) struct Linear {
-    pub(super) shape: Shape,
+    pub(super) shape: Arc<Shape>,
     pattern: Pattern,
     m: Vec<f64>,
     q: Vec<f64>,
@@ -16,7 +17,12 @@ pub(super) struct Linear {
 
 impl Linear {
     /// From the entries `(row, column, value)`.
-    pub(super) fn new(shape: Shape, entries: &[(usize, usize, f64)], q: &[f64]) -> Self {
+    pub(super) fn new(
+        shape: impl Into<Arc<Shape>>,
+        entries: &[(usize, usize, f64)],
+        q: &[f64],
+    ) -> Self {
+        let shape = shape.into();
         let mut columns = vec![Vec::new(); shape.n()];
         for &(i, j, _) in entries {
             columns[j].push(i);
@@ -42,6 +48,7 @@ impl Linear {
         (stats.iterations, stats.residual_evaluations, stats.jacobian_evaluations) = (1, 3, 2);
         (stats.factorisations, stats.certificate_evaluations) = (1, 1);
         Solution {
+            shape: Arc::clone(&self.shape),
             z: z.to_vec(),
             f,
             status,
@@ -55,7 +62,7 @@ impl Linear {
 }
 
 impl Problem for Linear {
-    fn shape(&self) -> &Shape {
+    fn shape(&self) -> &Arc<Shape> {
         &self.shape
     }
     fn pattern(&self) -> &Pattern {

@@ -1,13 +1,14 @@
 //! [`Statement`]: what a model is, before it is solved.
 
 use crate::model::{BoundKind, Family, Shape};
-use crate::problem::Problem;
+use crate::problem::{Pattern, Problem};
 
 #[cfg(feature = "serde")]
 use super::export::number;
+use super::norms::Norms;
 
-/// What a model is and how its Jacobian looks at the start: counts, families, pairs, row norms, and
-/// by name what is zero or not finite.
+/// What a model is and how its Jacobian looks at the start: counts, families, pairs, norms of rows
+/// and columns, and by name what depends on nothing, is zero or not finite.
 ///
 /// ```
 /// use mcp_core::{AdProblem, Statement};
@@ -48,13 +49,21 @@ pub struct Statement {
     pub pairs: Vec<PairStatement>,
     /// Fixed variables without equation.
     pub without_equation: Examples,
+    /// Equations that read no variable: constants, whatever the point.
+    pub constant_equations: Examples,
+    /// Variables in no equation: nothing depends on them, whatever the point.
+    pub unread_variables: Examples,
     /// The equation with the smallest row norm that is not zero.
     pub smallest_row: Option<RowNorm>,
     /// The equation with the largest row norm.
     pub largest_row: Option<RowNorm>,
-    /// Equations all of whose derivatives are zero at the start.
+    /// The variable with the smallest column norm that is not zero.
+    pub smallest_column: Option<ColumnNorm>,
+    /// The variable with the largest column norm.
+    pub largest_column: Option<ColumnNorm>,
+    /// Equations that read variables, but all of whose derivatives are zero at the start.
     pub zero_rows: Examples,
-    /// Variables all derivatives by which are zero at the start.
+    /// Variables that equations read, but all derivatives by which are zero at the start.
     pub zero_columns: Examples,
     /// Values of `F` and derivatives that are not finite at the start, such as `` F of `f` = NaN ``.
     pub non_finite: Examples,
@@ -123,6 +132,18 @@ pub struct RowNorm {
     pub equation: String,
 }
 
+/// The size of one column of the Jacobian.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
+pub struct ColumnNorm {
+    /// `max_i |J_ij|` at the start, in units of the equation per unit of the variable.
+    #[cfg_attr(feature = "serde", serde(serialize_with = "number"))]
+    pub norm: f64,
+    /// The variable.
+    pub variable: String,
+}
+
 /// How many there are, and the names of the first.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
@@ -157,8 +178,6 @@ impl Statement {
 
         let (shape, pattern) = (problem.shape(), problem.pattern());
         let mut statement = Self::of_shape(shape, nnz);
-        let is_fixed = |i: usize| shape.bounds().kind(i) == BoundKind::Fixed;
-        let (mut row_norm, mut column_norm) = (vec![0.0_f64; n], vec![0.0_f64; n]);
         for (i, &value) in f.iter().enumerate() {
             if !value.is_finite() {
                 let name = || format!("F of `{}` = {value}", shape.equation_name(i));
@@ -173,33 +192,41 @@ impl Statement {
                     format!("derivative of `{equation}` by `{variable}` = {value}")
                 });
             }
-            // An entry that is not finite is no zero, and makes its row's norm infinite.
-            let size = if value.is_nan() { f64::INFINITY } else { value.abs() };
-            row_norm[i] = row_norm[i].max(size);
-            if !is_fixed(i) {
-                column_norm[j] = column_norm[j].max(size);
-            }
         }
-        let (mut smallest, mut largest): (Option<usize>, Option<usize>) = (None, None);
-        for i in (0..n).filter(|&i| !is_fixed(i)) {
-            if row_norm[i] == 0.0 {
-                statement.zero_rows.note(|| shape.equation_name(i));
-            } else if row_norm[i].is_finite() {
-                if smallest.is_none_or(|s| row_norm[i] < row_norm[s]) {
-                    smallest = Some(i);
-                }
-                if largest.is_none_or(|s| row_norm[i] > row_norm[s]) {
-                    largest = Some(i);
-                }
-            }
-            if column_norm[i] == 0.0 {
-                statement.zero_columns.note(|| shape.variable_name(i));
-            }
-        }
-        let norm = |i: usize| RowNorm { norm: row_norm[i], equation: shape.equation_name(i) };
-        statement.smallest_row = smallest.map(norm);
-        statement.largest_row = largest.map(norm);
+        statement.note_unconnected(shape, pattern);
+        let norms = Norms::of(shape, pattern, &jac);
+        statement.note_norms(shape, &norms);
         statement
+    }
+
+    /// Equations and variables without structural nonzeros.
+    fn note_unconnected(&mut self, shape: &Shape, pattern: &Pattern) {
+        let mut reads = vec![false; pattern.n()];
+        pattern.rows().iter().for_each(|&i| reads[i] = true);
+        for i in 0..pattern.n() {
+            if !reads[i] && shape.row_of_variable(i).is_some() {
+                self.constant_equations.note(|| shape.equation_name(i));
+            }
+            if pattern.column(i).is_empty() {
+                self.unread_variables.note(|| shape.variable_name(i));
+            }
+        }
+    }
+
+    /// Extreme and zero norms.
+    fn note_norms(&mut self, shape: &Shape, norms: &Norms) {
+        for i in norms.rows.zeros() {
+            self.zero_rows.note(|| shape.equation_name(i));
+        }
+        for j in norms.columns.zeros() {
+            self.zero_columns.note(|| shape.variable_name(j));
+        }
+        let row = |(i, norm)| RowNorm { norm, equation: shape.equation_name(i) };
+        let column = |(j, norm)| ColumnNorm { norm, variable: shape.variable_name(j) };
+        self.smallest_row = norms.rows.smallest().map(row);
+        self.largest_row = norms.rows.largest().map(row);
+        self.smallest_column = norms.columns.smallest().map(column);
+        self.largest_column = norms.columns.largest().map(column);
     }
 
     /// Gives the model a name for the headline.
@@ -236,8 +263,12 @@ impl Statement {
             families: shape.variables().iter().map(FamilyStatement::of).collect(),
             pairs: shape.equations().map(|family| PairStatement::of(shape, family)).collect(),
             without_equation,
+            constant_equations: Examples::default(),
+            unread_variables: Examples::default(),
             smallest_row: None,
             largest_row: None,
+            smallest_column: None,
+            largest_column: None,
             zero_rows: Examples::default(),
             zero_columns: Examples::default(),
             non_finite: Examples::default(),

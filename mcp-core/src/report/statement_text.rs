@@ -11,15 +11,16 @@ impl fmt::Display for Statement {
         write_grid(f, &self.families())?;
         write_grid(f, &self.pairs())?;
         if let (Some(smallest), Some(largest)) = (&self.smallest_row, &self.largest_row) {
-            write!(f, "row norms at the start: {}", number(smallest.norm))?;
-            if smallest.norm < largest.norm {
-                let (low, high) = (clean(&smallest.equation), clean(&largest.equation));
-                writeln!(f, " (`{low}`) to {} (`{high}`)", number(largest.norm))?;
-            } else {
-                writeln!(f, " everywhere")?;
-            }
+            let ends = [smallest, largest].map(|row| (row.norm, row.equation.as_str()));
+            range(f, "row norms at the start", ends)?;
+        }
+        if let (Some(smallest), Some(largest)) = (&self.smallest_column, &self.largest_column) {
+            let ends = [smallest, largest].map(|column| (column.norm, column.variable.as_str()));
+            range(f, "column norms at the start", ends)?;
         }
         list(f, "fixed variables without equation", &self.without_equation, true)?;
+        list(f, "equations that read no variable", &self.constant_equations, true)?;
+        list(f, "variables in no equation", &self.unread_variables, true)?;
         list(f, "equations without any derivative at the start", &self.zero_rows, true)?;
         list(f, "variables no equation depends on at the start", &self.zero_columns, true)?;
         list(f, "not finite at the start", &self.non_finite, false)
@@ -114,6 +115,18 @@ fn write_grid(f: &mut fmt::Formatter<'_>, grid: &Grid) -> fmt::Result {
     f.write_str(&String::from_utf8_lossy(&text))
 }
 
+/// The smallest and the largest of some norms, with what has them.
+fn range(f: &mut fmt::Formatter<'_>, what: &str, ends: [(f64, &str); 2]) -> fmt::Result {
+    let [(low, low_name), (high, high_name)] = ends;
+    if low < high {
+        let (low_name, high_name) = (clean(low_name), clean(high_name));
+        let (low, high) = (number(low), number(high));
+        writeln!(f, "{what}: {low} (`{low_name}`) to {high} (`{high_name}`)")
+    } else {
+        writeln!(f, "{what}: {} everywhere", number(low))
+    }
+}
+
 fn list(f: &mut fmt::Formatter<'_>, what: &str, examples: &Examples, quote: bool) -> fmt::Result {
     if examples.count == 0 {
         return Ok(());
@@ -150,7 +163,9 @@ sign convention: at a lower bound F >= 0, at an upper bound F <= 0, in between F
  supply ⟂ w               1
  demand ⟂ p               2
 row norms at the start: 1 everywhere
+column norms at the start: 1 everywhere
 fixed variables without equation (1): `money`
+variables in no equation (1): `money`
 ";
         assert_eq!(Statement::new(&mut transport()).named("transport").to_string(), expected);
     }
@@ -158,7 +173,8 @@ fixed variables without equation (1): `money`
     #[test]
     fn zero_rows_zero_columns_and_nan_are_named() {
         let shape = Shape::anonymous(&[0.0; 4], &[f64::INFINITY; 4], &[1.0; 4]).unwrap();
-        let entries = [(0, 0, 2.0), (1, 0, 0.0), (2, 2, f64::NAN), (3, 2, 1e-9), (3, 3, 5.0)];
+        let entries =
+            [(0, 0, 2.0), (1, 0, 0.0), (2, 2, f64::NAN), (3, 2, 1e-9), (3, 3, 5.0), (0, 1, 0.0)];
         let mut problem = Linear::new(shape, &entries, &[0.0, 1.0, 0.0, 0.0]);
         let statement = Statement::new(&mut problem);
         assert_eq!(statement.zero_rows.first, ["F[2]"]);
@@ -169,8 +185,48 @@ fixed variables without equation (1): `money`
         );
         let text = statement.to_string();
         assert!(text.contains("row norms at the start: 2 (`F[1]`) to 5 (`F[4]`)\n"), "{text}");
+        assert!(text.contains("column norms at the start: 2 (`z[1]`) to 5 (`z[4]`)\n"), "{text}");
         assert!(text.contains("equations without any derivative at the start (1): `F[2]`\n"));
         assert!(text.contains("not finite at the start (2): F of `F[3]` = NaN, "));
+    }
+
+    #[test]
+    fn what_depends_on_nothing_is_listed_apart_from_what_is_zero_at_the_start() {
+        let rows = crate::model::Set::count("rows", 4);
+        let shape = Shape::builder()
+            .variable(crate::Variable::new("z").over(&[&rows]).fixed(1.0))
+            .equation(crate::Equation::new("F").over(&[&rows]).complements("z"))
+            .variable(crate::Variable::new("alone").fixed(1.0))
+            .build()
+            .unwrap();
+        let entries = [(0, 0, 2.0), (0, 1, 0.0), (2, 0, 0.0), (3, 0, 1.0)];
+        let statement = Statement::new(&mut Linear::new(shape, &entries, &[1.0; 5]));
+        // The bounds do not matter: these are facts of the formulas.
+        assert_eq!(statement.constant_equations.first, ["F[2]"]);
+        assert_eq!(statement.unread_variables.first, ["z[3]", "z[4]", "alone"]);
+        assert_eq!((statement.zero_rows.count, statement.zero_columns.count), (0, 0));
+        assert_eq!(
+            (statement.smallest_row.as_ref(), statement.largest_column.as_ref()),
+            (None, None)
+        );
+        let text = statement.to_string();
+        assert!(text.contains("equations that read no variable (1): `F[2]`\n"), "{text}");
+        assert!(text.contains("variables in no equation (3): `z[3]`, `z[4]`, `alone`\n"), "{text}");
+    }
+
+    #[test]
+    fn norms_leave_out_fixed_variables_and_their_equations() {
+        let (inf, mut upper) = (f64::INFINITY, [f64::INFINITY; 3]);
+        upper[1] = 0.0;
+        let shape = Shape::anonymous(&[0.0; 3], &upper, &[0.0; 3]).unwrap();
+        let entries =
+            [(0, 0, -3.0), (1, 1, 1e9), (1, 2, 1e9), (0, 1, 1e7), (2, 0, 0.5), (2, 2, inf)];
+        let statement = Statement::new(&mut Linear::new(shape, &entries, &[0.0; 3]));
+        let row = statement.largest_row.unwrap();
+        assert_eq!((row.norm, row.equation.as_str()), (1e7, "F[1]"));
+        let column = statement.largest_column.unwrap();
+        assert_eq!((column.norm, column.variable.as_str()), (3.0, "z[1]"));
+        assert_eq!(statement.smallest_column.unwrap().norm, 3.0);
     }
 
     #[test]
@@ -192,5 +248,9 @@ fixed variables without equation (1): `money`
         assert_eq!(json["families"][0]["sets"][0], "markets");
         assert_eq!(json["pairs"][2]["variable"], "p");
         assert_eq!(json["largest_row"]["norm"], 1.0);
+        assert_eq!(json["largest_column"]["norm"], 1.0);
+        assert_eq!(json["smallest_column"]["variable"], "x[new-york]");
+        assert_eq!(json["constant_equations"]["count"], 0);
+        assert_eq!(json["unread_variables"]["first"][0], "money");
     }
 }

@@ -17,7 +17,7 @@ const WORST: usize = 5;
 
 impl Report {
     /// Writes the report as text: sign convention, status and advice, both residuals, costs, what
-    /// went wrong where, final statistics, solution table.
+    /// went wrong where, final statistics, solution table, reports and definitions.
     ///
     /// The table has all rows if there are at most 50. A longer one leaves out variables at their
     /// lower bound, fixed ones and zeros not at their upper bound, and shows at most 50 of a
@@ -32,7 +32,8 @@ impl Report {
         self.write_worst(out)?;
         writeln!(out, "\nfinal statistics (largest absolute value)")?;
         write!(out, "{}", self.statistics)?;
-        self.write_table(out)
+        self.write_table(out)?;
+        self.write_derived(out)
     }
 
     fn write_head(&self, out: &mut impl Write) -> io::Result<()> {

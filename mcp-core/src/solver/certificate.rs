@@ -207,6 +207,11 @@ impl Certifier {
         &self.f
     }
 
+    /// `J` at the point judged last.
+    pub(super) fn jac(&self) -> &[f64] {
+        &self.jac
+    }
+
     pub(crate) fn judge(&mut self, problem: &mut dyn Problem, z: &[f64]) -> Certificate {
         problem.evaluate(z, Some(&mut self.f), Some(&mut self.jac));
         let (shape, pattern) = (problem.shape(), problem.pattern());
@@ -362,7 +367,7 @@ impl Certifier {
 }
 
 /// The middle of three numbers with `below <= above`; NaN if any is.
-fn middle(above: f64, f: f64, below: f64) -> f64 {
+pub(super) fn middle(above: f64, f: f64, below: f64) -> f64 {
     if f.is_nan() || above.is_nan() || below.is_nan() { f64::NAN } else { above.min(below.max(f)) }
 }
 

@@ -1,19 +1,20 @@
 use super::*;
 use crate::model::Shape;
 use proptest::prelude::*;
+use std::sync::Arc;
 
 const INF: f64 = f64::INFINITY;
 
 /// `F = c + J z` with numbers that need not be finite.
 struct Line {
-    shape: Shape,
+    shape: Arc<Shape>,
     pattern: Pattern,
     c: Vec<f64>,
     jac: Vec<f64>,
 }
 
 impl Problem for Line {
-    fn shape(&self) -> &Shape {
+    fn shape(&self) -> &Arc<Shape> {
         &self.shape
     }
     fn pattern(&self) -> &Pattern {
@@ -39,7 +40,7 @@ impl Problem for Line {
 fn line(bounds: &[(f64, f64)], start: &[f64], c: &[f64], jac: &[f64]) -> Line {
     let (lower, upper): (Vec<f64>, Vec<f64>) = bounds.iter().copied().unzip();
     Line {
-        shape: Shape::anonymous(&lower, &upper, start).unwrap(),
+        shape: Shape::anonymous(&lower, &upper, start).unwrap().into(),
         pattern: Pattern::dense(bounds.len()),
         c: c.to_vec(),
         jac: jac.to_vec(),

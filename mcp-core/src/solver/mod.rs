@@ -35,6 +35,7 @@ pub mod newton_fb;
 pub mod newton_min_fb;
 pub mod old_fb;
 mod options;
+mod point_check;
 mod run;
 mod solution;
 mod status;
@@ -43,6 +44,7 @@ mod workspace;
 pub use certificate::{Certificate, Verdict, certify};
 pub use monitor::{Direction, Iteration, Monitor};
 pub use options::{Criterion, Descent, Method, Options, UnknownMethod};
+pub use point_check::{PointCheck, PointRow, Violation, WrongPoint, check_point};
 pub use solution::{DomainFault, NotSolved, Solution, Stats};
 pub use status::Status;
 
@@ -60,8 +62,7 @@ use workspace::Workspace;
 /// [`ModelError`] for input that is wrong before iteration 0. Not converging is a
 /// [`Status`] in the solution.
 pub fn solve<M: Model>(model: &M, options: &Options) -> Result<Solution, ModelError> {
-    let mut problem = AdProblem::new(model)?;
-    Solver::new(options.clone())?.solve(&mut problem).cloned()
+    solve_problem(&mut AdProblem::new(model)?, None, options)
 }
 
 /// Solves a model from `start`, moved into the bounds.
@@ -73,8 +74,18 @@ pub fn solve_from<M: Model>(
     start: &[f64],
     options: &Options,
 ) -> Result<Solution, ModelError> {
-    let mut problem = AdProblem::new(model)?;
-    Solver::new(options.clone())?.solve_from(&mut problem, start).cloned()
+    solve_problem(&mut AdProblem::new(model)?, Some(start), options)
+}
+
+/// Not generic: compiled here, not with every model.
+fn solve_problem(
+    problem: &mut dyn Problem,
+    start: Option<&[f64]>,
+    options: &Options,
+) -> Result<Solution, ModelError> {
+    let mut solver = Solver::new(options.clone())?;
+    solver.run(problem, start, None)?;
+    Ok(solver.solution)
 }
 
 /// A solver for many solves: it keeps its workspace, so that a second solve of the same pattern
@@ -114,16 +125,7 @@ impl Solver {
     /// [`ModelError::Option`] names an option out of range.
     pub fn new(options: Options) -> Result<Self, ModelError> {
         options.validate()?;
-        let solution = Solution {
-            z: Vec::new(),
-            f: Vec::new(),
-            status: Status::IterationLimit,
-            certificate: Certificate::nothing(),
-            stats: Stats::default(),
-            method: options.method,
-            fault: None,
-            start_was_moved: false,
-        };
+        let solution = Solution { method: options.method, ..Solution::nothing() };
         Ok(Solver { options, workspace: None, custom: None, solution })
     }
 
@@ -223,6 +225,7 @@ fn finish(run: &mut Run<'_>, status: Status, solution: &mut Solution) {
         _ => status,
     };
     solution.certificate = certificate;
+    solution.shape.clone_from(run.problem.shape());
     solution.z.clone_from(&run.work.answer);
     solution.f.clear();
     solution.f.extend_from_slice(run.work.certifier.f());

@@ -1,0 +1,93 @@
+use super::*;
+
+/// What is wrong with a family over sets of these lengths.
+fn told(lengths: &[usize]) -> Option<String> {
+    let sets: Vec<Set> = lengths.iter().map(|&length| Set::count("s", length)).collect();
+    let sets: Vec<&Set> = sets.iter().collect();
+    Layout::new("x", &sets).err().map(|error| error.to_string())
+}
+
+#[test]
+fn as_many_combinations_as_an_index_can_tell_are_allowed() {
+    for lengths in [&[][..], &[1 << 31], &[1 << 16, 1 << 15], &[1 << 20, 0, 3]] {
+        assert_eq!(told(lengths), None, "{lengths:?}");
+    }
+}
+
+#[test]
+fn more_combinations_are_an_error_even_if_their_number_overflows() {
+    let many = Some("`x` has more than 2^31 elements".to_owned());
+    // 2^64 and 2^96 are 0 modulo 2^64.
+    for lengths in [
+        &[(1 << 31) + 1][..],
+        &[1 << 16, (1 << 15) + 1],
+        &[usize::MAX, 2],
+        &[1 << 31, 1 << 31, 4],
+        &[1 << 16; 6],
+    ] {
+        assert_eq!(told(lengths), many, "{lengths:?}");
+    }
+}
+
+#[test]
+fn families_stand_one_after_the_other() {
+    let (two, three) = (Set::count("two", 2), Set::count("three", 3));
+    let mut assembly = Assembly::default();
+    let mut corner = |at: &At| at[0] == 1 && at[1] != 0;
+    let x = assembly.variables("x", &[&two, &three], Some(&mut corner)).unwrap();
+    assembly.declare(["x", "", ""], &[&two, &three], &x);
+    let y = assembly.variables("y", &[], None).unwrap();
+    assembly.declare(["y", "", ""], &[], &y);
+    assert_eq!((x.offset, x.count, x.members()), (0, 2, Some(&[4, 5][..])));
+    assert_eq!((y.offset, y.count), (2, 1));
+    let first = assembly.definition(["a", "", ""], &[&three]).unwrap();
+    let second = assembly.definition(["b", "", ""], &[]).unwrap();
+    assert_eq!((first.offset, second.offset), (0, 3));
+    let rate = assembly.parameter(["rate", "", ""], &[&two], vec![0.1, 0.2]).unwrap();
+    let scale = assembly.parameter(["scale", "", ""], &[], vec![3.0]).unwrap();
+    assert_eq!((rate.offset, scale.offset, scale.values()), (0, 2, &[3.0][..]));
+}
+
+#[test]
+fn a_field_that_is_not_given_is_named() {
+    assert_eq!(required("cost", Some(2.0)), Ok(2.0));
+    let error = required::<f64>("cost", None).unwrap_err();
+    assert_eq!(error.to_string(), "`cost` is not given: call `.cost(…)` before `.build()`");
+}
+
+#[test]
+fn fixing_an_element_sets_its_bounds_and_its_start_and_no_others() {
+    let mut values = FamilyValues::free(3);
+    values.fix(Some(1), 2.5, "x").unwrap();
+    let (minus, plus) = (f64::NEG_INFINITY, f64::INFINITY);
+    assert_eq!(values.lower, [minus, 2.5, minus]);
+    assert_eq!(values.upper, [plus, 2.5, plus]);
+    assert_eq!(values.start, [0.0, 2.5, 0.0]);
+    values.fix(Some(1), -1.0, "x").unwrap();
+    assert_eq!((values.lower[1], values.upper[1], values.start[1]), (-1.0, -1.0, -1.0));
+}
+
+#[test]
+fn fixing_an_element_that_does_not_exist_is_an_error_and_changes_nothing() {
+    let mut values = FamilyValues::free(1);
+    let error = values.fix(None, 2.0, "x").unwrap_err();
+    assert_eq!(error, DataError::FixedAbsent { name: "x".to_owned() }.into());
+    assert_eq!((values.lower[0], values.start[0]), (f64::NEG_INFINITY, 0.0));
+}
+
+#[test]
+fn a_family_without_elements_has_no_values() {
+    let values = FamilyValues::free(0);
+    assert!(values.lower.is_empty() && values.upper.is_empty() && values.start.is_empty());
+}
+
+#[test]
+fn every_kind_of_number_is_an_expression() {
+    let value = |number: Real<f64>| number.into_scalar();
+    assert_eq!(value(expression(1.5)), 1.5);
+    let shared = &1.5;
+    assert_eq!(value(expression(shared)), 1.5);
+    assert_eq!(value(expression(-3)), -3.0);
+    assert_eq!(value(expression(7_usize)), 7.0);
+    assert_eq!(value(expression(Real::from(2.0))), 2.0);
+}

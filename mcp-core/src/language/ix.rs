@@ -1,0 +1,230 @@
+//! [`Ix`]: an element of an index set, as a type of its own for each set.
+
+use std::cmp::Ordering;
+use std::fmt;
+use std::hash::{Hash, Hasher};
+use std::marker::PhantomData;
+use std::ops::{Add, Sub};
+
+/// The name of an index set as a type. `mcp!` makes one for each set of a model.
+pub trait Domain: Copy + fmt::Debug + 'static {
+    /// What an index carries: its position, for a subset also the index it is in the larger set.
+    type Place: Place;
+}
+
+/// Stands for a set that is not declared, in a model with errors.
+#[doc(hidden)]
+impl Domain for () {
+    type Place = u32;
+}
+
+/// A set whose elements have neighbours: `Ordered` and counts.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not an ordered set",
+    label = "its elements have no neighbours",
+    note = "declare it as `Ordered`, or as a count, in the data of the model"
+)]
+pub trait OrderedDomain: Domain {}
+
+/// A position as an index carries it. Sets have at most 2³¹ elements: see
+/// [`Layout::new`](super::Layout::new).
+#[allow(clippy::cast_possible_truncation, reason = "sets have at most 2^31 elements")]
+#[inline]
+pub(super) fn narrow(position: usize) -> u32 {
+    position as u32
+}
+
+/// A position that can be counted down from.
+#[allow(clippy::cast_possible_wrap, reason = "sets have at most 2^31 elements")]
+#[inline]
+pub(super) fn signed(position: usize) -> i64 {
+    position as i64
+}
+
+/// What an index carries.
+pub trait Place: Copy + Eq + fmt::Debug {
+    /// Position in the set, counted from 0.
+    fn position(self) -> usize;
+}
+
+impl Place for u32 {
+    #[inline]
+    fn position(self) -> usize {
+        self as usize
+    }
+}
+
+impl<P: Domain> Place for (u32, Ix<P>) {
+    #[inline]
+    fn position(self) -> usize {
+        self.0 as usize
+    }
+}
+
+/// An element of the set `S`: a position that no other set's families accept.
+///
+/// Indices come from headers (`i in plants`) and closures (`sum(plants, |i| …)`). They can be
+/// compared, and where the set is ordered, `t - 1` is a neighbour that may not exist: see
+/// [`Shifted`].
+#[derive(Clone, Copy)]
+pub struct Ix<S: Domain> {
+    place: S::Place,
+}
+
+impl<S: Domain> Ix<S> {
+    /// Position in the set, counted from 0.
+    #[inline]
+    pub fn position(self) -> usize {
+        self.place.position()
+    }
+
+    #[inline]
+    pub(super) fn of_place(place: S::Place) -> Self {
+        Ix { place }
+    }
+}
+
+impl<S: Domain<Place = u32>> Ix<S> {
+    /// The element at this position.
+    #[doc(hidden)]
+    #[inline]
+    pub const fn new(position: u32) -> Self {
+        Ix { place: position }
+    }
+}
+
+impl<P: Domain, S: Domain<Place = (u32, Ix<P>)>> Ix<S> {
+    /// The same element as an index of the larger set.
+    #[inline]
+    pub fn of_larger_set(self) -> Ix<P> {
+        self.place.1
+    }
+}
+
+impl<S: Domain> PartialEq for Ix<S> {
+    #[inline]
+    fn eq(&self, other: &Self) -> bool {
+        self.position() == other.position()
+    }
+}
+impl<S: Domain> Eq for Ix<S> {}
+impl<S: Domain> PartialOrd for Ix<S> {
+    #[inline]
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+impl<S: Domain> Ord for Ix<S> {
+    #[inline]
+    fn cmp(&self, other: &Self) -> Ordering {
+        self.position().cmp(&other.position())
+    }
+}
+impl<S: Domain> Hash for Ix<S> {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        self.position().hash(state);
+    }
+}
+impl<S: Domain> fmt::Debug for Ix<S> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "Ix({})", self.position())
+    }
+}
+
+/// A neighbour of an element of an ordered set, `t - 1`, which may not exist.
+#[derive(Clone, Copy, Debug)]
+pub struct Shifted<S> {
+    position: i64,
+    set: PhantomData<fn() -> S>,
+}
+
+macro_rules! shift {
+    ($Op:ident $op:ident $sign:tt) => {
+        impl<S: Domain> $Op<i32> for Ix<S> {
+            type Output = Shifted<S>;
+            #[inline]
+            fn $op(self, by: i32) -> Shifted<S> {
+                let position = signed(self.position()) $sign i64::from(by);
+                Shifted { position, set: PhantomData }
+            }
+        }
+        impl<S: Domain> $Op<i32> for Shifted<S> {
+            type Output = Shifted<S>;
+            #[inline]
+            fn $op(self, by: i32) -> Shifted<S> {
+                Shifted { position: self.position $sign i64::from(by), set: self.set }
+            }
+        }
+    };
+}
+
+shift!(Add add +);
+shift!(Sub sub -);
+
+/// An index that picks an element of `S`: an [`Ix`] of `S` itself or of a subset of it.
+#[diagnostic::on_unimplemented(
+    message = "expected an index of `{S}`, found `{Self}`",
+    label = "not an index of `{S}`"
+)]
+pub trait Element<S: Domain>: Copy {
+    /// Position in `S`, counted from 0.
+    fn position_in(self) -> usize;
+}
+
+#[diagnostic::do_not_recommend]
+impl<S: Domain> Element<S> for Ix<S> {
+    #[inline]
+    fn position_in(self) -> usize {
+        self.position()
+    }
+}
+
+/// An index or a neighbour that may not exist.
+#[diagnostic::on_unimplemented(
+    message = "expected an index of `{S}`, such as `t` or `t - 1`, found `{Self}`",
+    label = "not an index of `{S}`"
+)]
+pub trait Near<S: Domain>: Copy {
+    /// Position in `S`, counted from 0, possibly outside.
+    fn position_near(self) -> i64;
+}
+
+#[diagnostic::do_not_recommend]
+impl<S: Domain> Near<S> for Ix<S> {
+    #[inline]
+    fn position_near(self) -> i64 {
+        signed(self.position())
+    }
+}
+
+#[diagnostic::do_not_recommend]
+impl<S: OrderedDomain> Near<S> for Shifted<S> {
+    #[inline]
+    fn position_near(self) -> i64 {
+        self.position
+    }
+}
+
+/// A value that may not exist: what `load.at(t - 1)` reads before the first element.
+#[must_use = "say what stands in for a value that does not exist: `.or(value)`"]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Maybe<T>(pub(super) Option<T>);
+
+impl<T> Maybe<T> {
+    /// The value, or this one where it does not exist.
+    #[inline]
+    pub fn or(self, other: impl Into<T>) -> T {
+        match self.0 {
+            Some(value) => value,
+            None => other.into(),
+        }
+    }
+    /// Whether the value exists.
+    pub fn exists(&self) -> bool {
+        self.0.is_some()
+    }
+}
+
+#[cfg(test)]
+#[path = "ix_tests.rs"]
+mod tests;

@@ -1,0 +1,133 @@
+//! [`Layout`]: a family without its index types. Not generic, so that it is compiled once and not
+//! with every model.
+
+use super::ix::narrow;
+use crate::error::ModelError;
+use crate::model::{MOST_ELEMENTS, Set};
+use std::sync::Arc;
+
+/// Most index sets of one family.
+pub(super) const MOST_SETS: usize = 6;
+
+/// A combination of indices for which there is no element.
+const ABSENT: u32 = u32::MAX;
+
+/// The positions that make a combination, 0 behind the last.
+pub type At = [usize; MOST_SETS];
+
+/// Where the elements of a family stand, the last index running fastest, and what is known of them.
+///
+/// Dropped and copied in a few instructions, since a model has many.
+#[derive(Clone, Debug)]
+pub struct Layout {
+    pub(super) lengths: At,
+    /// Number of the first element among all of its kind.
+    pub(super) offset: usize,
+    /// Number of elements that exist.
+    pub(super) count: usize,
+    /// Whether some combinations have no element.
+    is_sparse: bool,
+    table: Arc<Table>,
+}
+
+/// What not every family has.
+#[derive(Debug, Default)]
+struct Table {
+    /// For a family with conditions: the place of every combination, [`ABSENT`] where there is none.
+    places: Vec<u32>,
+    /// For a family with conditions: the combination of every element.
+    members: Vec<usize>,
+    /// Data: the value of every combination.
+    values: Vec<f64>,
+}
+
+impl Default for Layout {
+    fn default() -> Self {
+        let table = Arc::default();
+        Layout { lengths: [1; MOST_SETS], offset: 0, count: 0, is_sparse: false, table }
+    }
+}
+
+impl Layout {
+    /// A family with all combinations of its sets.
+    ///
+    /// # Errors
+    /// [`ModelError::TooManyElements`] for more than 2³¹ combinations.
+    pub fn new(family: &str, sets: &[&Set]) -> Result<Self, ModelError> {
+        let mut lengths = [1; MOST_SETS];
+        for (length, set) in lengths.iter_mut().zip(sets) {
+            *length = set.len();
+        }
+        let combinations = sets.iter().try_fold(1_usize, |all, set| all.checked_mul(set.len()));
+        match combinations {
+            Some(count) if count <= MOST_ELEMENTS => {
+                Ok(Layout { lengths, count, ..Layout::default() })
+            }
+            _ => Err(ModelError::TooManyElements { name: family.to_owned() }),
+        }
+    }
+
+    /// Takes the place of an empty layout, so that a model need not drop that one itself.
+    ///
+    /// # Errors
+    /// That of making the layout.
+    pub fn set(&mut self, made: Result<Layout, ModelError>) -> Result<(), ModelError> {
+        *self = made?;
+        Ok(())
+    }
+
+    /// The same with only some of the combinations, in order.
+    pub(super) fn only(mut self, members: &[usize]) -> Self {
+        let mut places = vec![ABSENT; self.lengths.iter().product()];
+        for (place, &dense) in members.iter().enumerate() {
+            places[dense] = narrow(place);
+        }
+        (self.is_sparse, self.count) = (true, members.len());
+        self.table = Arc::new(Table { places, members: members.to_vec(), values: Vec::new() });
+        self
+    }
+
+    /// The same with values of all combinations.
+    pub(super) fn with_values(mut self, values: Vec<f64>) -> Self {
+        self.table = Arc::new(Table { values, ..Table::default() });
+        self
+    }
+
+    /// Combinations of the elements, unless there is an element for each.
+    pub(super) fn members(&self) -> Option<&[usize]> {
+        self.is_sparse.then_some(&self.table.members)
+    }
+
+    /// Data: the value of every combination.
+    #[inline]
+    pub fn values(&self) -> &[f64] {
+        &self.table.values
+    }
+
+    /// One value for each element.
+    pub fn each(&self, value: &mut dyn FnMut(&At) -> f64) -> Vec<f64> {
+        (0..self.count).map(|row| value(&self.split(row))).collect()
+    }
+
+    /// The positions of an element's indices in their sets.
+    pub(super) fn split(&self, row: usize) -> At {
+        let mut positions = [0; MOST_SETS];
+        let mut rest = if self.is_sparse { self.table.members[row] } else { row };
+        for (position, &length) in positions.iter_mut().zip(&self.lengths).rev() {
+            if length > 1 {
+                (*position, rest) = (rest % length, rest / length);
+            }
+        }
+        positions
+    }
+
+    /// Place of a combination in the family, if it has one.
+    #[inline]
+    pub(super) fn place(&self, dense: usize) -> Option<usize> {
+        if self.is_sparse { self.sparse_place(dense) } else { Some(dense) }
+    }
+
+    fn sparse_place(&self, dense: usize) -> Option<usize> {
+        Some(self.table.places[dense]).filter(|&place| place != ABSENT).map(|place| place as usize)
+    }
+}

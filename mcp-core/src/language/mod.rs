@@ -1,0 +1,42 @@
+//! What a model written with [`mcp!`](crate::mcp) is made of: typed indices, sets, tables and views.
+//!
+//! A user meets [`Labels`] and [`Table`] when data are given, and [`Levels`] when a solution is
+//! read; the rest is what the names inside the block stand for. An index of `plants` is a type of
+//! its own, [`Ix<plants>`](Ix), so that `x[j, i]` does not compile even when the sets have equal
+//! size; reading costs one multiplication for each further index.
+//!
+//! | in the block | type | what it can do |
+//! | --- | --- | --- |
+//! | `plants: Set`, `hours: Ordered`, `dof: 3` | [`IndexSet`] | `sum(plants, \|i\| …)`, `plants.len()`, `hours.wrap(t, -1)`, `hours.is_first(t)` |
+//! | `thermal: Subset(gens)` | [`Subset`] | its indices are also indices of `gens`; `thermal.contains(g)` |
+//! | `lines: Pairs(nodes, nodes)` | [`Pairs`] | `l @ (i, j) in lines`, `lines.into(n)`, `lines.out_of(n)`, `lines.ends(l)` |
+//! | `site: Map(gens, nodes)` | [`Map`] | `site[g]`, `site.of(n)` |
+//! | `cost[plants, markets]: f64` | [`Data`] | `cost[i, j]`, `cost.sum()`, `load.at(t - 1).or(0.0)` |
+//! | `param tax[s in sectors]` | [`Parameters`] | `tax[s]`, `tax.base(s)` |
+//! | `var x[…]`, `def c[…]` | [`Variables`], [`Definitions`] | `x[i, j]`, `x.at(t - 1).or(x0)` |
+
+mod assemble;
+mod families;
+pub mod input;
+mod ix;
+mod layout;
+mod pairs;
+mod sets;
+#[cfg(test)]
+mod test_sets;
+mod view;
+
+#[doc(hidden)]
+pub use assemble::{Assembly, Condition, Expression, FamilyValues, Text};
+#[doc(hidden)]
+pub use assemble::{expression, labels, required, scalar, table};
+pub use families::{Data, Definitions, Parameters, Rows, Variables};
+pub use input::{DataError, LabelMap, LabelPairs, LabelSubset, Labels, Table};
+pub use ix::{Domain, Element, Ix, Maybe, Near, OrderedDomain, Place, Shifted};
+#[doc(hidden)]
+pub use layout::{At, Layout};
+pub use pairs::{Map, Pairs};
+pub use sets::{IndexSet, Indices, Members, Subset};
+#[doc(hidden)]
+pub use view::{Evaluated, single, start_of_lifted, viewed_table};
+pub use view::{Key, Levels, VariableLevels};

@@ -1,0 +1,193 @@
+//! [`IndexSet`] and [`Subset`]: sets that hand out typed indices.
+
+use super::ix::{Domain, Element, Ix, OrderedDomain, narrow, signed};
+use crate::error::ModelError;
+use crate::model::Set;
+
+/// Something whose elements are indices of `S`.
+pub trait Members<S: Domain> {
+    /// Labels.
+    fn set(&self) -> &Set;
+    /// The element at a position below the length.
+    fn ix(&self, position: usize) -> Ix<S>;
+    /// Number of elements.
+    fn count(&self) -> usize {
+        self.set().len()
+    }
+}
+
+/// A set of labels, or a count. `for i in &set` yields its indices.
+#[derive(Clone, Debug)]
+pub struct IndexSet<S> {
+    set: Set,
+    domain: std::marker::PhantomData<fn() -> S>,
+}
+
+impl<S: Domain<Place = u32>> IndexSet<S> {
+    /// Typed indices for these labels.
+    #[doc(hidden)]
+    pub fn new(set: Set) -> Self {
+        IndexSet { set, domain: std::marker::PhantomData }
+    }
+    /// Number of elements.
+    #[inline]
+    pub fn len(&self) -> usize {
+        self.set.len()
+    }
+    /// Whether there are no elements.
+    pub fn is_empty(&self) -> bool {
+        self.set.is_empty()
+    }
+    /// Label of an element.
+    pub fn label(&self, i: impl Element<S>) -> String {
+        self.set.label(i.position_in())
+    }
+    /// All indices in order.
+    #[inline]
+    pub fn iter(&self) -> Indices<S> {
+        Indices::first(self.set.len())
+    }
+}
+
+impl<S: OrderedDomain<Place = u32>> IndexSet<S> {
+    /// The neighbour `by` places on, around the end: the last hour of the day is one before the
+    /// first.
+    #[inline]
+    pub fn wrap(&self, t: impl Element<S>, by: i32) -> Ix<S> {
+        let n = signed(self.set.len());
+        let position = (signed(t.position_in()) + i64::from(by)).rem_euclid(n.max(1));
+        Ix::new(u32::try_from(position).unwrap_or(0))
+    }
+    /// The first element. The set of a built model has one.
+    pub fn first(&self) -> Ix<S> {
+        Ix::new(0)
+    }
+    /// The last element.
+    pub fn last(&self) -> Ix<S> {
+        Ix::new(narrow(self.set.len().saturating_sub(1)))
+    }
+    /// Whether `t` is the first element.
+    pub fn is_first(&self, t: impl Element<S>) -> bool {
+        t.position_in() == self.first().position()
+    }
+    /// Whether `t` is the last element.
+    pub fn is_last(&self, t: impl Element<S>) -> bool {
+        t.position_in() == self.last().position()
+    }
+}
+
+impl<S: Domain<Place = u32>> Members<S> for IndexSet<S> {
+    fn set(&self) -> &Set {
+        &self.set
+    }
+    #[inline]
+    fn ix(&self, position: usize) -> Ix<S> {
+        Ix::new(narrow(position))
+    }
+}
+
+/// The indices of a set in order.
+#[derive(Clone, Debug)]
+pub struct Indices<S> {
+    positions: std::ops::Range<u32>,
+    domain: std::marker::PhantomData<fn() -> S>,
+}
+
+impl<S: Domain<Place = u32>> Indices<S> {
+    /// The first `count` indices.
+    pub(super) fn first(count: usize) -> Self {
+        Indices { positions: 0..narrow(count), domain: std::marker::PhantomData }
+    }
+}
+
+impl<S: Domain<Place = u32>> Iterator for Indices<S> {
+    type Item = Ix<S>;
+    #[inline]
+    fn next(&mut self) -> Option<Ix<S>> {
+        self.positions.next().map(Ix::new)
+    }
+    #[inline]
+    fn size_hint(&self) -> (usize, Option<usize>) {
+        self.positions.size_hint()
+    }
+}
+
+impl<S: Domain<Place = u32>> ExactSizeIterator for Indices<S> {}
+
+impl<S: Domain<Place = u32>> IntoIterator for &IndexSet<S> {
+    type Item = Ix<S>;
+    type IntoIter = Indices<S>;
+    #[inline]
+    fn into_iter(self) -> Indices<S> {
+        self.iter()
+    }
+}
+
+/// Some elements of another set, in its order. An index of the subset is also one of the larger
+/// set.
+#[derive(Clone, Debug)]
+pub struct Subset<S: Domain> {
+    set: Set,
+    members: Vec<Ix<S>>,
+}
+
+impl<S: Domain<Place = (u32, Ix<P>)>, P: Domain> Subset<S> {
+    /// The elements of `larger` at these positions.
+    ///
+    /// # Errors
+    /// [`ModelError::DuplicateLabel`] for a position given twice.
+    #[doc(hidden)]
+    pub fn new(
+        name: &str,
+        larger: &impl Members<P>,
+        positions: &[usize],
+    ) -> Result<Self, ModelError> {
+        let set = Set::new(name, positions.iter().map(|&position| larger.set().label(position)))?;
+        let member = |(k, &position)| Ix::of_place((narrow(k), larger.ix(position)));
+        Ok(Subset { set, members: positions.iter().enumerate().map(member).collect() })
+    }
+    /// Number of elements.
+    pub fn len(&self) -> usize {
+        self.members.len()
+    }
+    /// Whether there are no elements.
+    pub fn is_empty(&self) -> bool {
+        self.members.is_empty()
+    }
+    /// Label of an element.
+    pub fn label(&self, i: impl Element<S>) -> String {
+        self.set.label(i.position_in())
+    }
+    /// All indices in order.
+    pub fn iter(&self) -> std::iter::Copied<std::slice::Iter<'_, Ix<S>>> {
+        self.members.iter().copied()
+    }
+    /// Whether an element of the larger set is in the subset.
+    pub fn contains(&self, i: impl Element<P>) -> bool {
+        let position = i.position_in();
+        let larger = |member: &Ix<S>| member.of_larger_set().position();
+        self.members.binary_search_by_key(&position, larger).is_ok()
+    }
+}
+
+impl<S: Domain> Members<S> for Subset<S> {
+    fn set(&self) -> &Set {
+        &self.set
+    }
+    #[inline]
+    fn ix(&self, position: usize) -> Ix<S> {
+        self.members[position]
+    }
+}
+
+impl<'a, S: Domain> IntoIterator for &'a Subset<S> {
+    type Item = Ix<S>;
+    type IntoIter = std::iter::Copied<std::slice::Iter<'a, Ix<S>>>;
+    fn into_iter(self) -> Self::IntoIter {
+        self.members.iter().copied()
+    }
+}
+
+#[cfg(test)]
+#[path = "sets_tests.rs"]
+mod tests;

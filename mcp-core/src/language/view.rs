@@ -1,0 +1,249 @@
+//! [`Levels`]: the numbers of a solution, read by the labels of the model's sets.
+
+use crate::error::ModelError;
+use crate::model::{Family, Reader, Set};
+use crate::problem::{Derived, PlainModel, plain, plain_definitions};
+use crate::solver::Solution;
+use std::array::from_fn;
+use std::ops::{Deref, Index};
+use std::sync::Arc;
+
+/// One label for each of `R` index sets: `"topeka"`, or `("seattle", "topeka")`.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` does not name an element of a family with {R} index sets",
+    label = "expected one label for each index set",
+    note = "one index set: `view.p[\"topeka\"]`; two: `view.x[(\"seattle\", \"topeka\")]`"
+)]
+pub trait Key<const R: usize> {
+    /// The labels in the order of the sets.
+    fn labels(&self) -> [&str; R];
+}
+
+impl Key<1> for &str {
+    fn labels(&self) -> [&str; 1] {
+        [self]
+    }
+}
+
+impl Key<1> for &String {
+    fn labels(&self) -> [&str; 1] {
+        [self]
+    }
+}
+
+macro_rules! key {
+    ($($rank:literal: $($L:ident $label:ident),*;)*) => { $(
+        impl<$($L: AsRef<str>),*> Key<$rank> for ($($L,)*) {
+            fn labels(&self) -> [&str; $rank] {
+                let ($($label,)*) = self;
+                [$($label.as_ref()),*]
+            }
+        }
+    )* };
+}
+
+key! {
+    1: A a;
+    2: A a, B b;
+    3: A a, B b, C c;
+    4: A a, B b, C c, D d;
+    5: A a, B b, C c, D d, E e;
+    6: A a, B b, C c, D d, E e, F f;
+}
+
+impl<const R: usize, L: AsRef<str>> Key<R> for [L; R] {
+    fn labels(&self) -> [&str; R] {
+        from_fn(|k| self[k].as_ref())
+    }
+}
+
+/// Numbers of a family with `R` index sets, one for each element.
+///
+/// Read one with brackets, `view.p["topeka"]`, or all with their labels:
+///
+/// ```
+/// # use mcp_core::language::Levels;
+/// fn total(x: &Levels<2>) -> f64 {
+///     x.iter().filter(|([_plant, market], _)| market == "topeka").map(|(_, level)| level).sum()
+/// }
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Levels<const R: usize>(Arc<Numbers>);
+
+/// What [`Levels`] and [`VariableLevels`] show; shared, so that a view is dropped in a few
+/// instructions for each family.
+#[derive(Debug, PartialEq)]
+struct Numbers {
+    family: Family,
+    values: Vec<f64>,
+    /// Of a variable family.
+    marginals: Vec<f64>,
+}
+
+impl<const R: usize> Levels<R> {
+    /// Number of elements.
+    pub fn len(&self) -> usize {
+        self.0.values.len()
+    }
+    /// Whether there are no elements.
+    pub fn is_empty(&self) -> bool {
+        self.0.values.is_empty()
+    }
+    /// All values in the order of the sets, last index fastest.
+    pub fn values(&self) -> &[f64] {
+        &self.0.values
+    }
+    /// The value of the element with these labels.
+    ///
+    /// # Errors
+    /// [`ModelError::UnknownName`] with the nearest label, or for a combination that does not
+    /// exist.
+    #[allow(clippy::needless_pass_by_value, reason = "labels are written in place")]
+    pub fn get(&self, key: impl Key<R>) -> Result<f64, ModelError> {
+        Ok(self.0.values[self.0.family.index_of(&key.labels())?])
+    }
+    /// Labels and value of every element.
+    pub fn iter(&self) -> impl Iterator<Item = ([String; R], f64)> + '_ {
+        let labels = |k| {
+            let mut labels = self.0.family.labels_of(k).into_iter();
+            from_fn(|_| labels.next().unwrap_or_default())
+        };
+        self.0.values.iter().enumerate().map(move |(k, &value)| (labels(k), value))
+    }
+}
+
+impl<const R: usize, K: Key<R>> Index<K> for Levels<R> {
+    type Output = f64;
+
+    /// # Panics
+    /// If there is no element with these labels; [`get`](Levels::get) returns an error instead.
+    fn index(&self, key: K) -> &f64 {
+        match self.0.family.index_of(&key.labels()) {
+            Ok(index) => &self.0.values[index],
+            Err(error) => panic!("{}: {error}", self.0.family.name()),
+        }
+    }
+}
+
+/// Levels of a variable family, and its marginals: `F` of the paired equations.
+#[derive(Clone, Debug, PartialEq)]
+pub struct VariableLevels<const R: usize>(Levels<R>);
+
+impl<const R: usize> VariableLevels<R> {
+    /// `F` of the equation paired with the element with these labels; 0 between the bounds.
+    ///
+    /// # Errors
+    /// As [`Levels::get`].
+    #[allow(clippy::needless_pass_by_value, reason = "labels are written in place")]
+    pub fn marginal(&self, key: impl Key<R>) -> Result<f64, ModelError> {
+        Ok(self.0.0.marginals[self.0.0.family.index_of(&key.labels())?])
+    }
+    /// All marginals in the order of the elements.
+    pub fn marginals(&self) -> &[f64] {
+        &self.0.0.marginals
+    }
+}
+
+impl<const R: usize> Deref for VariableLevels<R> {
+    type Target = Levels<R>;
+    fn deref(&self) -> &Levels<R> {
+        &self.0
+    }
+}
+
+/// A model at a solution, with definitions and reports evaluated.
+#[doc(hidden)]
+#[derive(Debug)]
+pub struct Evaluated<'a> {
+    solution: &'a Solution,
+    derived: Derived,
+}
+
+impl<'a> Evaluated<'a> {
+    /// Evaluates definitions and reports, with the parameters of the solve.
+    ///
+    /// # Errors
+    /// [`ModelError::Length`] for a solution with another number of variables,
+    /// [`ModelError::OtherModel`] for one whose families have other names or labels.
+    pub fn new(model: &dyn PlainModel, solution: &'a Solution) -> Result<Self, ModelError> {
+        let shape = model.plain_shape();
+        for (what, numbers) in [("solution", &solution.z), ("marginals", &solution.f)] {
+            let (expected, found) = (shape.n(), numbers.len());
+            if expected != found {
+                return Err(ModelError::Length { what: what.to_owned(), expected, found });
+            }
+        }
+        shape.check_families_of(&solution.shape)?;
+        let parameters = solution.shape.parameter_values();
+        Ok(Evaluated { solution, derived: Derived::at(model, &solution.z, parameters) })
+    }
+
+    /// Levels of variable family `k`.
+    pub fn variable<const R: usize>(&self, k: usize) -> VariableLevels<R> {
+        let family = &self.solution.shape.variables()[k];
+        VariableLevels(Levels(numbers(family, &self.solution.z, &self.solution.f)))
+    }
+    /// Values of definition family `k`.
+    pub fn definition<const R: usize>(&self, k: usize) -> Levels<R> {
+        let family = &self.solution.shape.definitions()[k];
+        Levels(numbers(family, &self.derived.definitions, &[]))
+    }
+    /// Values of parameter family `k`.
+    pub fn parameter<const R: usize>(&self, k: usize) -> Levels<R> {
+        let shape = &self.solution.shape;
+        Levels(numbers(&shape.parameters()[k], shape.parameter_values(), &[]))
+    }
+    /// Values of report family `k`.
+    pub fn report<const R: usize>(&self, k: usize) -> Levels<R> {
+        Levels(numbers(&self.solution.shape.reports()[k], &self.derived.reports, &[]))
+    }
+}
+
+/// The single value of a family without index sets; 0 if its condition does not hold.
+#[doc(hidden)]
+pub fn single(levels: &Levels<0>) -> f64 {
+    levels.0.values.first().copied().unwrap_or(0.0)
+}
+
+/// A table of the data, to be read by label.
+#[doc(hidden)]
+pub fn viewed_table<const R: usize>(name: &str, sets: &[&Set], values: &[f64]) -> Levels<R> {
+    Levels(numbers(&Family::of_table(name, sets), values, &[]))
+}
+
+/// The elements of a family among all of its kind; without `marginals` it has none.
+fn numbers(family: &Family, all: &[f64], marginals: &[f64]) -> Arc<Numbers> {
+    let range = family.offset()..family.offset() + family.len();
+    let values = all[range.clone()].to_vec();
+    let marginals = marginals.get(range).unwrap_or_default().to_vec();
+    Arc::new(Numbers { family: family.clone(), values, marginals })
+}
+
+/// A start at which lifted definitions hold: each family of `lifted`, given as variable family and
+/// equation family, is moved to the value of its expression, in order. Values that are not finite
+/// are left alone.
+#[doc(hidden)]
+pub fn start_of_lifted(model: &dyn PlainModel, lifted: &[(usize, usize)]) -> Vec<f64> {
+    let shape = model.plain_shape();
+    let mut start = shape.start().to_vec();
+    let parameters = plain(shape.parameter_values());
+    for &(variable, equation) in lifted {
+        let z = plain(&start);
+        let definitions = plain_definitions(model, &z, &parameters);
+        let read = Reader::lanes(&z, &definitions, &parameters);
+        let family = &shape.variables()[variable];
+        for index in 0..family.len() {
+            // The row is v − expression.
+            let j = family.offset() + index;
+            let expression = start[j] - model.plain_row(equation, index, &read).into_scalar();
+            if expression.is_finite() {
+                start[j] = expression;
+            }
+        }
+    }
+    start
+}
+
+#[cfg(test)]
+#[path = "view_tests.rs"]
+mod tests;

@@ -1,0 +1,146 @@
+//! A start taken over, by name, from a solution of a model with other sets.
+
+use super::{Family, Set, Shape};
+use crate::error::ModelError;
+use crate::solver::Solution;
+use std::collections::HashMap;
+
+impl Shape {
+    /// Starts from another solution: variables of the same name take its levels, moved into the
+    /// bounds, the others keep their start. For models whose sets have changed. Returns how many
+    /// variables took a level.
+    ///
+    /// Takes time proportional to the variables of this shape and the labels of both, not to their
+    /// product.
+    ///
+    /// ```
+    /// use mcp_core::{Equation, Model, ModelError, Options, Reader, Real, Scalar, Set, Shape};
+    /// use mcp_core::{Variable, solve};
+    /// # struct Demand(Shape);
+    /// # impl Model for Demand {
+    /// #     fn shape(&self) -> &Shape { &self.0 }
+    /// #     fn row<D: Scalar>(&self, _: usize, i: usize, read: &Reader<'_, D>) -> Real<D> {
+    /// #         read.var(i) - 3.0
+    /// #     }
+    /// # }
+    /// fn shape(goods: &[&str]) -> Result<Shape, ModelError> {
+    ///     let goods = Set::new("goods", goods.iter().copied())?;
+    ///     Shape::builder()
+    ///         .variable(Variable::new("p").over(&[&goods]).start(1.0))
+    ///         .equation(Equation::new("market").over(&[&goods]).complements("p"))
+    ///         .build()
+    /// }
+    /// let old = solve(&Demand(shape(&["wheat", "iron"])?), &Options::default())?; // p = 3
+    /// let mut new = shape(&["iron", "coal"])?;
+    /// assert_eq!(new.start_from(&old)?, 1);
+    /// assert!((new.start()[0] - 3.0).abs() < 1e-9 && new.start()[1] == 1.0);
+    /// # Ok::<(), ModelError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`ModelError::Length`] if the solution does not have one level for each of its variables;
+    /// [`ModelError::StartNotFinite`] names a variable whose level is not finite. The start is
+    /// unchanged then.
+    pub fn start_from(&mut self, other: &Solution) -> Result<usize, ModelError> {
+        let (theirs, z) = (&*other.shape, &other.z);
+        if z.len() != theirs.n() {
+            let (what, expected) = ("levels of the solution".to_owned(), theirs.n());
+            return Err(ModelError::Length { what, expected, found: z.len() });
+        }
+        let families: HashMap<&str, &Family> =
+            theirs.variables().iter().map(|family| (family.name(), family)).collect();
+        let mut start = self.start().to_vec();
+        let mut taken = 0;
+        for family in self.variables() {
+            let mut take = |k: usize, j: usize| {
+                start[family.offset() + k] = z[j];
+                taken += 1;
+            };
+            match families.get(family.name()) {
+                Some(same) => {
+                    for_each_common(family, same, |k, other| take(k, same.offset() + other));
+                }
+                None => for_each_named(family, theirs, &families, &mut take),
+            }
+        }
+        self.set_start(&start)?;
+        Ok(taken)
+    }
+}
+
+/// Calls `take(k, other)` for every element `k` of `own` that `other` has under the same labels.
+fn for_each_common(own: &Family, other: &Family, mut take: impl FnMut(usize, usize)) {
+    if own.sets() == other.sets() && own.elements() == other.elements() {
+        (0..own.len()).for_each(|k| take(k, k));
+        return;
+    }
+    if own.sets().len() != other.sets().len() {
+        return;
+    }
+    let places: Vec<(usize, &Set, Vec<Option<usize>>)> = own
+        .sets()
+        .iter()
+        .zip(other.sets())
+        .map(|(own, other)| (own.len(), other, own.positions_in(other)))
+        .collect();
+    for k in 0..own.len() {
+        // From the last index to the first: its position there, and how far apart positions are.
+        let (mut rest, mut combination, mut stride) = (own.combination(k), Some(0), 1);
+        for (len, set, place) in places.iter().rev() {
+            combination = combination.zip(place[rest % len]).map(|(sum, at)| sum + at * stride);
+            rest /= len;
+            stride *= set.len();
+        }
+        if let Some(found) = combination.and_then(|combination| other.position(combination)) {
+            take(k, found);
+        }
+    }
+}
+
+/// The same for a family that the other shape does not have by name: `z[1]` may be a family of one
+/// there and an element of `z` here, or the other way round.
+fn for_each_named(
+    own: &Family,
+    other: &Shape,
+    families: &HashMap<&str, &Family>,
+    take: &mut impl FnMut(usize, usize),
+) {
+    if own.sets().is_empty() && !own.is_empty() {
+        let has_head =
+            own.name().split_once('[').is_some_and(|(head, _)| families.contains_key(head));
+        if let Some(j) = has_head.then(|| other.variable_index(own.name()).ok()).flatten() {
+            take(0, j);
+        }
+        return;
+    }
+    for k in 0..own.len() {
+        if let Some(single) = families.get(own.element_name(k).as_str())
+            && single.sets().is_empty()
+            && !single.is_empty()
+        {
+            take(k, single.offset());
+        }
+    }
+}
+
+impl Shape {
+    /// Whether variables and parameters are those of another shape: same names, same sets.
+    pub(crate) fn check_families_of(&self, other: &Shape) -> Result<(), ModelError> {
+        same_families(self.variables(), other.variables())?;
+        same_families(self.parameters(), other.parameters())
+    }
+}
+
+fn same_families(own: &[Family], others: &[Family]) -> Result<(), ModelError> {
+    let differs = |k: &usize| match (own.get(*k), others.get(*k)) {
+        (Some(own), Some(other)) => !own.has_elements_of(other),
+        _ => true,
+    };
+    let Some(k) = (0..own.len().max(others.len())).find(differs) else { return Ok(()) };
+    let family = own.get(k).or(others.get(k)).map(|family| family.name().to_owned());
+    Err(ModelError::OtherModel { family: family.unwrap_or_default() })
+}
+
+#[cfg(test)]
+#[path = "transfer_tests.rs"]
+mod tests;
