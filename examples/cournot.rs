@@ -19,8 +19,7 @@
 //! four, found by golden section on its profit: no derivative and nothing of the solver in it.
 #![allow(clippy::print_stdout, reason = "an example prints its results")]
 
-use mcp_core::{Method, Options, Real, Scalar, mcp_fn, solve, sum};
-use std::array::from_fn;
+use mcp_core::{Method, ModelError, Options, mcp, solve};
 use std::error::Error;
 
 const FIRMS: usize = 5;
@@ -30,12 +29,28 @@ const BETA: [f64; FIRMS] = [1.2, 1.1, 1.0, 0.9, 0.8];
 const GAMMA: f64 = 1.1;
 const PUBLISHED: [f64; FIRMS] = [36.9325, 41.8181, 43.7066, 42.6592, 39.1790];
 
-/// Marginal cost minus marginal revenue of every firm.
-#[mcp_fn(lower = 0.0, start = 10.0)]
-pub(crate) fn cournot<D: Scalar>(q: [Real<D>; FIRMS]) -> [Real<D>; FIRMS] {
-    let total = sum(q, |q| q);
-    let price = (5000 / total).pow(1.0 / GAMMA);
-    from_fn(|i| C[i] + (q[i] / L[i]).pow(1.0 / BETA[i]) - price * (1 - q[i] / (GAMMA * total)))
+mcp! {
+    /// Firms choose outputs, the market finds the price.
+    pub(crate) model Cournot {
+        data { firms: 5, c[firms]: f64, l[firms]: f64, beta[firms]: f64, gamma: f64 }
+
+        /// output
+        var q[i in firms] >= 0.0 start 10.0;
+
+        def total: sum(firms, |i| q[i]);
+        def price: (5000.0 / total).pow(1.0 / gamma);
+        def marginal_cost[i in firms]: c[i] + (q[i] / l[i]).pow(1.0 / beta[i]);
+        def marginal_revenue[i in firms]: price * (1.0 - q[i] / (gamma * total));
+
+        eq profit[i in firms]: marginal_cost[i] >= marginal_revenue[i]   complements q[i];
+    }
+}
+
+impl Cournot {
+    /// The five firms of the source.
+    pub(crate) fn new() -> Result<Self, ModelError> {
+        Cournot::builder().c(C).l(L).beta(BETA).gamma(GAMMA).build()
+    }
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -52,7 +67,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         }
     }
 
-    let q = solve(&model, &Options::default())?.solved()?.z;
+    let view = model.view(&solve(&model, &Options::default())?.solved()?)?;
+    let q = view.q.values();
     println!("\nfirm    output   best answer    profit");
     for i in 0..FIRMS {
         let others = q.iter().sum::<f64>() - q[i];
@@ -60,7 +76,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         assert!((answer - q[i]).abs() < 1e-5, "firm {} would rather produce {answer}", i + 1);
         println!("{:>4}{:>10.4}{answer:>14.4}{:>10.2}", i + 1, q[i], profit(i, q[i], others));
     }
-    println!("price {:.4}", price(q.iter().sum()));
+    println!("price {:.4}", view.price);
     Ok(())
 }
 

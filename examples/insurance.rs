@@ -25,60 +25,52 @@
 //! `γ = 4/103 ≈ 0.0388` insurance is not worth its price.
 #![allow(clippy::print_stdout, reason = "an example prints its results")]
 
-use mcp_core::{
-    AdProblem, Equation, Model, ModelError, Options, Parameter, Reader, Real, Scalar, Shape,
-    Solver, Variable,
-};
+use mcp_core::{AdProblem, ModelError, Options, Real, Scalar, Solver, mcp};
 use std::error::Error;
 
 const PI: f64 = 0.01;
 const LOSS: f64 = 0.5;
 const RHO: f64 = -1.0;
 
-/// Variables `EU`, `EV`, `C_g`, `C_b`, `K`; parameter `γ`.
-pub(crate) struct Insurance(Shape);
+mcp! {
+    /// Coverage that makes expected utility largest.
+    pub(crate) model Insurance {
+        /// premium for a coverage of 1, `γ`
+        param premium = 0.02;
 
-impl Insurance {
-    pub(crate) fn new() -> Result<Self, ModelError> {
-        let free = |name| Variable::new(name).start(1.0);
-        let shape = Shape::builder()
-            .parameter(Parameter::new("premium", 0.02))
-            .variable(free("EU").about("expected utility"))
-            .variable(free("EV").about("equivalent variation").unit("per cent of wealth"))
-            .variable(free("C_g").about("consumption on a good day"))
-            .variable(free("C_b").about("consumption on a bad day"))
-            .variable(Variable::new("K").lower(0.0).upper(LOSS).about("coverage"))
-            .equation(Equation::new("utility").complements("EU"))
-            .equation(Equation::new("variation").complements("EV"))
-            .equation(Equation::new("good_day").complements("C_g"))
-            .equation(Equation::new("bad_day").complements("C_b"))
-            .equation(Equation::new("coverage").complements("K"))
-            .build()?;
-        Ok(Insurance(shape))
+        /// expected utility
+        var EU free start 1.0;
+        /// equivalent variation [per cent of wealth]
+        var EV free start 1.0;
+        /// consumption on a good day
+        var C_g free start 1.0;
+        /// consumption on a bad day
+        var C_b free start 1.0;
+        /// coverage
+        var K in 0.0..=LOSS;
+
+        /// `E C^ρ`, expected utility but for the factor `ρ`
+        def expected: (1.0 - PI) * C_g.pow(RHO) + PI * C_b.pow(RHO);
+        def benefit: PI * marginal(C_b);
+        def cost: premium * ((1.0 - PI) * marginal(C_g) + benefit);
+
+        eq utility:   expected / RHO == EU                               complements EU;
+        eq variation: 100.0 * (expected.pow(1.0 / RHO) - 1.0) == EV      complements EV;
+        eq good_day:  1.0 - premium * K == C_g                           complements C_g;
+        eq bad_day:   1.0 - LOSS + (1.0 - premium) * K == C_b            complements C_b;
+        eq coverage:  cost - benefit                                     complements K;
     }
 }
 
-impl Model for Insurance {
-    fn shape(&self) -> &Shape {
-        &self.0
-    }
+/// `U′(C)`.
+fn marginal<D: Scalar>(c: Real<D>) -> Real<D> {
+    c.pow(RHO - 1.0)
+}
 
-    fn row<D: Scalar>(&self, family: usize, _: usize, read: &Reader<'_, D>) -> Real<D> {
-        let [eu, ev, c_g, c_b, k] = [0, 1, 2, 3, 4].map(|j| move || read.var(j));
-        let gamma = read.param(0);
-        let marginal = |c: Real<D>| c.pow(RHO - 1.0);
-        // `E C^ρ`: expected utility but for the factor `ρ`.
-        let expected = || (1.0 - PI) * c_g().pow(RHO) + PI * c_b().pow(RHO);
-        match family {
-            0 => expected() / RHO - eu(),
-            1 => 100 * (expected().pow(1.0 / RHO) - 1) - ev(),
-            2 => 1 - gamma * k() - c_g(),
-            3 => (1.0 - LOSS) + (1 - gamma) * k() - c_b(),
-            _ => {
-                let benefit = PI * marginal(c_b());
-                gamma * ((1.0 - PI) * marginal(c_g()) + benefit) - benefit
-            }
-        }
+impl Insurance {
+    /// With the premium of the source.
+    pub(crate) fn new() -> Result<Self, ModelError> {
+        Insurance::builder().build()
     }
 }
 
@@ -89,26 +81,27 @@ fn coverage(gamma: f64) -> f64 {
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let mut problem = AdProblem::new(Insurance::new()?)?;
+    let model = Insurance::new()?;
+    let mut problem = AdProblem::new(&model)?;
     let mut solver = Solver::new(Options::default())?;
-    let published = solver.solve(&mut problem)?.clone().solved()?;
-    assert!((published.z[2] - 0.996).abs() < 1e-3);
+    let published = model.view(&solver.solve(&mut problem)?.clone().solved()?)?;
+    assert!((published.C_g - 0.996).abs() < 1e-3);
 
     println!("premium  coverage K     C_g     C_b   EV [%]");
     for gamma in [0.005, 0.01, 0.015, 0.02, 0.03, 0.04] {
         problem.set_parameter("premium", &[gamma])?;
-        let z = solver.solve(&mut problem)?.clone().solved()?.z;
-        let [eu, ev, c_g, c_b, k] = z[..] else { unreachable!("five variables") };
-        println!("{gamma:>7.3}{k:>12.4}{c_g:>8.4}{c_b:>8.4}{ev:>9.4}");
+        let view = model.view(&solver.solve(&mut problem)?.clone().solved()?)?;
+        let InsuranceView { EU, EV, C_g, C_b, K, .. } = view;
+        println!("{gamma:>7.3}{K:>12.4}{C_g:>8.4}{C_b:>8.4}{EV:>9.4}");
 
         let expected = coverage(gamma);
-        close(k, expected);
-        close(c_g, 1.0 - gamma * expected);
-        close(c_b, 1.0 - LOSS + (1.0 - gamma) * expected);
+        close(K, expected);
+        close(C_g, 1.0 - gamma * expected);
+        close(C_b, 1.0 - LOSS + (1.0 - gamma) * expected);
         // With ρ = −1, consumption has a harmonic mean, and U = −1/C.
-        let mean = 1.0 / ((1.0 - PI) / c_g + PI / c_b);
-        close(eu, -1.0 / mean);
-        close(ev, 100.0 * (mean - 1.0));
+        let mean = 1.0 / ((1.0 - PI) / C_g + PI / C_b);
+        close(EU, -1.0 / mean);
+        close(EV, 100.0 * (mean - 1.0));
     }
     Ok(())
 }

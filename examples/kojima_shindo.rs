@@ -20,11 +20,15 @@
 //! equations*, J. Oper. Res. Soc. Japan 29 (1986) 352–374; `kojshin` in MCPLIB (Dirkse & Ferris
 //! 1995), whose `10 x3` is used here.
 //!
-//! Which of the two a run finds depends on start and method: a regression value. That a run called
-//! solved is at one of them is not.
+//! The problem is written twice: as a function, the form for a fixed number of variables, and as a
+//! text of the language, which can also have sets, data and parameters. Every run of the one is
+//! asserted to end where that of the other does.
+//!
+//! Which of the two solutions a run finds depends on start and method: a regression value. That a
+//! run called solved is at one of them is not.
 #![allow(clippy::print_stdout, reason = "an example prints its results")]
 
-use mcp_core::{Method, Options, Real, Scalar, Solution, mcp_fn, solve_from};
+use mcp_core::{Method, Options, Real, Scalar, Solution, mcp, mcp_fn, solve_from};
 use std::error::Error;
 
 /// Four equations of Kojima and Shindo.
@@ -36,6 +40,21 @@ pub(crate) fn kojima_shindo<D: Scalar>([x1, x2, x3, x4]: [Real<D>; 4]) -> [Real<
         3 * x1 * x1 + x1 * x2 + 2 * x2 * x2 + 2 * x3 + 9 * x4 - 9,
         x1 * x1 + 3 * x2 * x2 + 2 * x3 + 3 * x4 - 3,
     ]
+}
+
+mcp! {
+    /// The same four equations with names.
+    pub(crate) model KojimaShindoByName {
+        var x1 >= 0.0;
+        var x2 >= 0.0;
+        var x3 >= 0.0;
+        var x4 >= 0.0;
+
+        eq f1: 3*x1*x1 + 2*x1*x2 + 2*x2*x2 + x3 + 3*x4 - 6        complements x1;
+        eq f2: 2*x1*x1 + x1 + x2*x2 + 10*x3 + 2*x4 - 2            complements x2;
+        eq f3: 3*x1*x1 + x1*x2 + 2*x2*x2 + 2*x3 + 9*x4 - 9        complements x3;
+        eq f4: x1*x1 + 3*x2*x2 + 2*x3 + 3*x4 - 3                  complements x4;
+    }
 }
 
 const STARTS: [[f64; 4]; 5] = [
@@ -50,7 +69,7 @@ const STARTS: [[f64; 4]; 5] = [
 const ENDS: [&str; 3] = ["RRRDD", "RRRRD", "RRRDD"];
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let model = KojimaShindo::new()?;
+    let (model, by_name) = (KojimaShindo::new()?, KojimaShindoByName::builder().build()?);
     let degenerate = [6_f64.sqrt() / 2.0, 0.0, 0.0, 0.5];
     let regular = [1.0, 0.0, 3.0, 0.0];
 
@@ -58,7 +77,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     for (method, expected) in Method::ALL.into_iter().zip(ENDS) {
         let mut ends = String::new();
         for start in STARTS {
-            let solution = solve_from(&model, &start, &Options::new(method))?.solved()?;
+            let options = Options::new(method);
+            let solution = solve_from(&model, &start, &options)?.solved()?;
+            let same = solve_from(&by_name, &start, &options)?.solved()?;
+            assert_eq!(solution.z, same.z, "both forms are the same problem");
             let (letter, end) = if distance(&solution.z, &regular) < 1e-6 {
                 ('R', "(1, 0, 3, 0)")
             } else {

@@ -25,63 +25,43 @@
 //! `(1, 1, 1)` the Fischer–Burmeister directions are drawn to `p_2 = 0`, where demand has a pole.
 #![allow(clippy::print_stdout, reason = "an example prints its results")]
 
-use mcp_core::{
-    AdProblem, Definition, Equation, Method, Model, ModelError, Options, Parameter, Reader, Real,
-    Scalar, Set, Shape, Solver, Variable, sum, when,
-};
+use mcp_core::{AdProblem, Method, ModelError, Options, Solver, mcp};
 use std::error::Error;
 
-const GOODS: usize = 3;
-const OUTPUT: [f64; GOODS] = [1.0, -1.0, -1.0];
-const SHARE: [f64; GOODS] = [0.9, 0.1, 0.0];
-const ENDOWMENT: [f64; GOODS] = [0.0, 5.0, 3.0];
+const OUTPUT: [f64; 3] = [1.0, -1.0, -1.0];
+const SHARE: [f64; 3] = [0.9, 0.1, 0.0];
+const ENDOWMENT: [f64; 3] = [0.0, 5.0, 3.0];
 
-/// Variables: `y`, then `p[1..3]`.
-pub(crate) struct Walras(Shape);
+mcp! {
+    /// One sector, one consumer, and prices.
+    pub(crate) model Walras {
+        data { goods: Set[good1, good2, good3], output[goods]: f64, share[goods]: f64 }
+        param endowment[i in goods];
 
-impl Walras {
-    pub(crate) fn new() -> Result<Self, ModelError> {
-        let goods = Set::count("goods", GOODS);
-        let shape = Shape::builder()
-            .parameter(Parameter::new("endowment", ENDOWMENT).over(&[&goods]))
-            .variable(Variable::new("y").lower(0.0).start(1.0).about("activity of the sector"))
-            .variable(
-                Variable::new("p")
-                    .over(&[&goods])
-                    .lower([0.0, 1.0, 0.0])
-                    .upper([f64::INFINITY, 1.0, f64::INFINITY])
-                    .start(1.0)
-                    .about("price, good 2 being the numeraire"),
-            )
-            .definition(Definition::new("income"))
-            .equation(Equation::new("profit").complements("y"))
-            .equation(Equation::new("market").over(&[&goods]).complements("p"))
-            .build()?;
-        Ok(Walras(shape))
+        /// activity of the sector
+        var y >= 0.0 start 1.0;
+        /// price, good 2 being the numeraire
+        var p[i in goods] >= 0.0 start 1.0;
+        fix p[good2] = 1.0;
+
+        def income: sum(goods, |i| endowment[i] * p[i]);
+        def demand[i in goods]: when(share[i] > 0.0, || share[i] * income / p[i]);
+
+        eq profit: 0.0 >= sum(goods, |i| output[i] * p[i])                     complements y;
+        eq market[i in goods]: endowment[i] + output[i] * y >= demand[i]       complements p[i];
     }
 }
 
-impl Model for Walras {
-    fn shape(&self) -> &Shape {
-        &self.0
-    }
-
-    fn def<D: Scalar>(&self, _: usize, _: usize, read: &Reader<'_, D>) -> Real<D> {
-        sum(0..GOODS, |i| read.param(i) * read.var(1 + i))
-    }
-
-    fn row<D: Scalar>(&self, family: usize, i: usize, read: &Reader<'_, D>) -> Real<D> {
-        let p = |i| read.var(1 + i);
-        if family == 0 {
-            return -sum(0..GOODS, |i| OUTPUT[i] * p(i));
-        }
-        let demand = when(SHARE[i] > 0.0, || SHARE[i] * read.def(0) / p(i));
-        read.param(i) + OUTPUT[i] * read.var(0) - demand
+impl Walras {
+    /// The economy of the source.
+    pub(crate) fn new() -> Result<Self, ModelError> {
+        Walras::builder().output(OUTPUT).share(SHARE).endowment(ENDOWMENT).build()
     }
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let mut problem = AdProblem::new(Walras::new()?)?;
+    let model = Walras::new()?;
+    let mut problem = AdProblem::new(&model)?;
     let mut solver = Solver::new(Options::default())?;
     let published = solver.solve(&mut problem)?.clone().solved()?;
     close(&published.z, &[3.0, 6.0, 1.0, 5.0]);
@@ -90,18 +70,21 @@ fn main() -> Result<(), Box<dyn Error>> {
     for b3 in [1.5, 3.0, 4.0, 4.5, 6.0] {
         problem.set_parameter("endowment", &[0.0, 5.0, b3])?;
         let solution = solver.solve(&mut problem)?.clone().solved()?;
-        let (z, excess) = (&solution.z, &solution.f[1..]);
-        print!("{b3:>19.1}{:>6.2}{:>8.3}{:>8.3}{:>8.3}", z[0], z[1], z[2], z[3]);
+        let view = model.view(&solution)?;
+        let (y, p, excess) = (view.y, view.p.values(), view.p.marginals());
+        print!("{b3:>19.1}{y:>6.2}{:>8.3}{:>8.3}{:>8.3}", p[0], p[1], p[2]);
         println!("{:>19.3}{:>12.0e}", excess[2], excess[1]);
         let p3 = f64::max(45.0 / b3 - 10.0, 0.0);
-        close(z, &[b3.min(4.5), 1.0 + p3, 1.0, p3]);
+        close(&[y], &[b3.min(4.5)]);
+        close(p, &[1.0 + p3, 1.0, p3]);
         close(excess, &[0.0, 0.0, f64::max(b3 - 4.5, 0.0)]);
     }
 
     println!("\ngood 1 as numeraire, from p = (1, 1, 1):");
     problem.set_parameter("endowment", &ENDOWMENT)?;
-    let unbounded = f64::INFINITY;
-    problem.set_bounds(&[0.0, 1.0, 0.0, 0.0], &[unbounded, 1.0, unbounded, unbounded])?;
+    problem.set_lower("p[good2]", 0.0)?;
+    problem.set_upper("p[good2]", f64::INFINITY)?;
+    problem.fix("p[good1]", 1.0)?;
     for method in [Method::NewtonFb, Method::OldFb, Method::NewtonMinFb] {
         let solution = Solver::new(Options::new(method))?.solve(&mut problem)?.clone();
         println!("  {method:<14} p = {:.4?}: {}", &solution.z[1..], solution.status.name());

@@ -6,16 +6,16 @@
 mod by_hand;
 #[path = "../examples/cournot.rs"]
 mod cournot;
-#[path = "../examples/transport/data.rs"]
-mod data;
 #[path = "../examples/insurance.rs"]
 mod insurance;
 #[path = "../examples/josephy.rs"]
 mod josephy;
 #[path = "../examples/kojima_shindo.rs"]
 mod kojima_shindo;
-#[path = "../examples/transport/model.rs"]
-mod model;
+#[path = "../examples/template.rs"]
+mod template;
+#[path = "../examples/transport.rs"]
+mod transport;
 #[path = "../examples/walras.rs"]
 mod walras;
 
@@ -83,12 +83,13 @@ fn check(model: &impl Model) {
 #[test]
 fn transport_has_right_derivatives() {
     let directory = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/examples/data/transport"));
-    check(&model::Transport::new(data::TransportData::read(directory).unwrap()).unwrap());
+    check(&transport::Transport::read(directory).unwrap());
 }
 
 #[test]
 fn kojima_shindo_has_right_derivatives() {
     check(&kojima_shindo::KojimaShindo::new().unwrap());
+    check(&kojima_shindo::KojimaShindoByName::builder().build().unwrap());
 }
 
 #[test]
@@ -114,4 +115,9 @@ fn insurance_has_right_derivatives() {
 #[test]
 fn by_hand_has_right_derivatives() {
     check(&by_hand::Trade::new().unwrap());
+}
+
+#[test]
+fn template_has_right_derivatives() {
+    check(&template::flour().unwrap());
 }

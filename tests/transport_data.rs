@@ -1,14 +1,16 @@
-//! Bad files for the transport example: every fault is told with file, line and column.
+//! Bad files for the transport example: every fault is told with the file and line, or the name, of
+//! what is wrong.
 
-#[path = "../examples/transport/data.rs"]
+#[path = "../examples/transport.rs"]
 #[allow(dead_code, reason = "the tests look at messages and little else")]
-mod data;
+mod transport;
 
-use data::{DataError, TransportData};
+use mcp_core::language::DataError;
+use mcp_core::{Model, ModelError};
 use std::fs;
-use std::io::ErrorKind::NotFound;
-use std::path::{Path, PathBuf};
+use std::path::{MAIN_SEPARATOR, Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
+use transport::{Transport, TransportError};
 
 const PLANTS: &str = "plant,capacity_cases\nseattle,350\nsan-diego,600\n";
 const MARKETS: &str = "market,demand_cases\nnew-york,325\ntopeka,275\n";
@@ -33,8 +35,14 @@ impl Directory {
         self
     }
 
-    fn read(&self) -> Result<TransportData, DataError> {
-        TransportData::read(&self.0)
+    fn read(&self) -> Result<Transport, TransportError> {
+        Transport::read(&self.0)
+    }
+
+    /// The message, without the path of this directory.
+    fn message(&self) -> String {
+        let message = self.read().expect_err("a bad file").to_string();
+        message.replace(&format!("{}{MAIN_SEPARATOR}", self.0.display()), "")
     }
 }
 
@@ -54,69 +62,90 @@ fn with(file: &str, text: impl AsRef<[u8]>) -> Directory {
 }
 
 fn message(file: &str, text: impl AsRef<[u8]>) -> String {
-    with(file, text).read().expect_err("a bad file").to_string()
+    with(file, text).message()
+}
+
+/// Values of a parameter as read from the files.
+fn amounts(model: &Transport, name: &str) -> Vec<f64> {
+    let family = model.shape().parameter(name).expect("a parameter of the model");
+    model.shape().parameter_values()[family.offset()..][..family.len()].to_vec()
 }
 
 #[test]
 fn the_published_files_are_read() {
     let directory = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/data/transport");
-    let data = TransportData::read(Path::new(directory)).unwrap();
-    assert_eq!(data.plants.labels().collect::<Vec<_>>(), ["seattle", "san-diego"]);
-    assert_eq!(data.markets.labels().collect::<Vec<_>>(), ["new-york", "chicago", "topeka"]);
-    assert_eq!((data.capacity, data.demand), (vec![350.0, 600.0], vec![325.0, 300.0, 275.0]));
-    assert_eq!(data.distance, [2.5, 1.7, 1.8, 2.5, 1.8, 1.4]);
+    let model = Transport::read(Path::new(directory)).unwrap();
+    let labels = |k: usize| model.shape().variable("x").unwrap().sets()[k].labels().collect();
+    let (plants, markets): (Vec<_>, Vec<_>) = (labels(0), labels(1));
+    assert_eq!(plants, ["seattle", "san-diego"]);
+    assert_eq!(markets, ["new-york", "chicago", "topeka"]);
+    assert_eq!(amounts(&model, "capacity"), [350.0, 600.0]);
+    assert_eq!(amounts(&model, "demand"), [325.0, 300.0, 275.0]);
+    assert_eq!(amounts(&model, "distance"), [2.5, 1.7, 1.8, 2.5, 1.8, 1.4]);
 }
 
 #[test]
-fn order_of_rows_and_columns_blanks_and_further_columns_do_not_matter() {
-    let text = "\u{feff}thousand_miles, market ,note,plant\r\n1.4,topeka,,san-diego\r\n\r\n\
-        2.5,new-york,,seattle\r\n2.5,\"new-york\",x,san-diego\r\n1.8,topeka,,seattle";
-    assert_eq!(with("distances.csv", text).read().unwrap().distance, [2.5, 1.8, 2.5, 1.4]);
+fn order_of_rows_blanks_comments_and_order_of_named_keys_do_not_matter() {
+    let text = "\u{feff}markets, plants ,thousand_miles\r\n# west\r\ntopeka,san-diego,1.4\r\n\r\n\
+        new-york,seattle,2.5\r\n\"new-york\",san-diego,2.5\r\n topeka,seattle,1.8";
+    let model = with("distances.csv", text).read().unwrap();
+    assert_eq!(amounts(&model, "distance"), [2.5, 1.8, 2.5, 1.4]);
 }
 
 #[test]
 fn a_missing_file() {
     let directory = Directory::new();
+    let told = directory.message();
+    assert!(told.starts_with("`plants` cannot be read from plants.csv: "), "{told}");
     let error = directory.read().unwrap_err();
-    let path = directory.0.join("plants.csv").display().to_string();
-    assert!(error.to_string().starts_with(&format!("{path}: ")), "{error}");
-    assert!(matches!(error, DataError::Unreadable { source, .. } if source.kind() == NotFound));
+    let TransportError::Model(ModelError::Data(error)) = error else { panic!("{error}") };
+    assert!(matches!(error, DataError::Unreadable { .. }));
 }
 
 #[test]
 fn a_file_that_is_not_a_text() {
-    let message = message("markets.csv", b"market,demand_cases\nnew-york\xff,325\n");
-    assert!(message.ends_with("markets.csv: stream did not contain valid UTF-8"), "{message}");
+    assert_eq!(
+        message("markets.csv", b"market,demand_cases\nnew-york\xff,325\n"),
+        "`markets` cannot be read from markets.csv: stream did not contain valid UTF-8"
+    );
 }
 
 #[test]
 fn an_empty_file() {
-    let expected = "plants.csv, line 1, column `plant`: the file is empty";
-    assert_eq!(message("plants.csv", ""), expected);
+    assert_eq!(message("plants.csv", ""), "plants.csv has no header line");
 }
 
 #[test]
 fn a_header_without_rows() {
     assert_eq!(
         message("markets.csv", "market,demand_cases\n"),
-        "markets.csv, line 2, column `market`: there are no rows"
+        "markets.csv: set `markets` is empty: give at least one label"
     );
 }
 
 #[test]
 fn a_missing_column() {
     assert_eq!(
-        message("plants.csv", "plant,capacity\nseattle,350\n"),
-        "plants.csv, line 1, column `capacity_cases`: there is no such column, only `plant`, \
-         `capacity`"
+        message("plants.csv", "plant\nseattle\n"),
+        "plants.csv, line 1: `capacity` needs the columns plants, value; or one \
+         column for each label of plants; found 1"
+    );
+}
+
+#[test]
+fn a_further_column() {
+    assert_eq!(
+        message("plants.csv", "plant,capacity_cases,plant\nseattle,350,x\n"),
+        "plants.csv, line 1: `capacity` needs the columns plants, value; or one \
+         column for each label of plants; found 3"
     );
 }
 
 #[test]
 fn a_column_given_twice() {
     assert_eq!(
-        message("plants.csv", "plant,capacity_cases,plant\nseattle,350,x\n"),
-        "plants.csv, line 1, column `plant`: there are two columns of this name"
+        message("distances.csv", "plant,topeka,new-york,topeka\nseattle,1.8,2.5,1.9\n"),
+        "distances.csv, line 1: there are two columns `topeka`"
     );
 }
 
@@ -124,7 +153,7 @@ fn a_column_given_twice() {
 fn a_row_that_is_too_short() {
     assert_eq!(
         message("distances.csv", "plant,market,thousand_miles\nseattle,topeka\n"),
-        "distances.csv, line 2, column `thousand_miles`: the row has 2 cells, the header 3"
+        "distances.csv, line 2: expected 3 columns as in the header, found 2"
     );
 }
 
@@ -132,7 +161,7 @@ fn a_row_that_is_too_short() {
 fn a_decimal_comma() {
     assert_eq!(
         message("distances.csv", "plant,market,thousand_miles\nseattle,topeka,1,8\n"),
-        "distances.csv, line 2, column `thousand_miles`: the row has 4 cells, the header 3"
+        "distances.csv, line 2: expected 3 columns as in the header, found 4"
     );
 }
 
@@ -140,7 +169,7 @@ fn a_decimal_comma() {
 fn an_empty_number() {
     assert_eq!(
         message("plants.csv", "plant,capacity_cases\nseattle,350\nsan-diego,\n"),
-        "plants.csv, line 3, column `capacity_cases`: the cell is empty"
+        "plants.csv: `capacity[san-diego]` has no value (missing: 1 of 2)"
     );
 }
 
@@ -148,7 +177,7 @@ fn an_empty_number() {
 fn an_empty_label() {
     assert_eq!(
         message("plants.csv", "plant,capacity_cases\n ,350\n"),
-        "plants.csv, line 2, column `plant`: the cell is empty"
+        "plants.csv, line 2: label 1 of `plants` is empty"
     );
 }
 
@@ -172,7 +201,7 @@ fn blank_lines_are_counted() {
 fn a_negative_capacity() {
     assert_eq!(
         message("plants.csv", "plant,capacity_cases\nseattle,350\nsan-diego,-600\n"),
-        "plants.csv, line 3, column `capacity_cases`: -600 is negative"
+        "`capacity[san-diego]` is -600: give a number that is not negative"
     );
 }
 
@@ -180,7 +209,7 @@ fn a_negative_capacity() {
 fn a_negative_distance() {
     assert_eq!(
         message("distances.csv", DISTANCES.replace("1.4", "-1.4")),
-        "distances.csv, line 5, column `thousand_miles`: -1.4 is negative"
+        "`distance[san-diego, topeka]` is -1.4: give a number that is not negative"
     );
 }
 
@@ -188,15 +217,23 @@ fn a_negative_distance() {
 fn not_a_number() {
     assert_eq!(
         message("markets.csv", "market,demand_cases\nnew-york,NaN\n"),
-        "markets.csv, line 2, column `demand_cases`: NaN is not finite"
+        "markets.csv, line 2: `demand[new-york]` is NaN: give a number"
     );
 }
 
 #[test]
 fn a_number_beyond_the_largest() {
     assert_eq!(
-        message("markets.csv", "market,demand_cases\nnew-york,1e999\n"),
-        "markets.csv, line 2, column `demand_cases`: inf is not finite"
+        message("markets.csv", "market,demand_cases\nnew-york,325\ntopeka,1e999\n"),
+        "parameter `demand[topeka]` is inf: give a finite number"
+    );
+}
+
+#[test]
+fn a_distance_beyond_the_largest() {
+    assert_eq!(
+        message("distances.csv", DISTANCES.replace("1.4", "1e999")),
+        "parameter `distance[san-diego, topeka]` is inf: give a finite number"
     );
 }
 
@@ -204,7 +241,7 @@ fn a_number_beyond_the_largest() {
 fn a_plant_given_twice() {
     assert_eq!(
         message("plants.csv", "plant,capacity_cases\nseattle,350\nseattle,600\n"),
-        "plants.csv, line 3, column `plant`: `seattle` was given before, in line 2"
+        "plants.csv, line 3: `plants` has the label `seattle` twice"
     );
 }
 
@@ -212,8 +249,7 @@ fn a_plant_given_twice() {
 fn a_pair_given_twice() {
     assert_eq!(
         message("distances.csv", format!("{DISTANCES}seattle,topeka,1.9\n")),
-        "distances.csv, line 6, column `market`: the pair `seattle`, `topeka` was given before, \
-         in line 3"
+        "distances.csv, line 6: `distance[seattle, topeka]` is given twice, first in line 3"
     );
 }
 
@@ -221,7 +257,7 @@ fn a_pair_given_twice() {
 fn a_pair_left_out() {
     assert_eq!(
         message("distances.csv", DISTANCES.replace("seattle,topeka,1.8\n", "")),
-        "distances.csv, line 5, column `thousand_miles`: there is no row for `seattle`, `topeka`"
+        "distances.csv: `distance[seattle, topeka]` has no value (missing: 1 of 4)"
     );
 }
 
@@ -229,8 +265,8 @@ fn a_pair_left_out() {
 fn an_unknown_plant() {
     assert_eq!(
         message("distances.csv", DISTANCES.replace("seattle,topeka", "seatle,topeka")),
-        "distances.csv, line 3, column `plant`: there is no label `seatle`; did you mean \
-         `seattle`?"
+        "distances.csv, line 3: `distance` names `seatle`, which is no label of `plants`; \
+         did you mean `seattle`?"
     );
 }
 
@@ -238,6 +274,6 @@ fn an_unknown_plant() {
 fn an_unknown_market() {
     assert_eq!(
         message("distances.csv", DISTANCES.replace("san-diego,topeka", "san-diego,boston")),
-        "distances.csv, line 5, column `market`: there is no label `boston`"
+        "distances.csv, line 5: `distance` names `boston`, which is no label of `markets`"
     );
 }
