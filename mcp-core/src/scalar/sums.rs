@@ -45,16 +45,12 @@ impl<D: Scalar> Total for Real<D> {
 /// ```
 #[inline]
 pub fn sum<T: Total, I: IntoIterator>(set: I, mut term: impl FnMut(I::Item) -> T) -> T {
-    let mut total = None;
-    for i in set {
-        // Written once, so that it is compiled once.
-        let term = term(i);
-        total = Some(match total {
-            None => term,
-            Some(total) => total + term,
-        });
-    }
-    total.unwrap_or_else(T::zero)
+    let mut terms = set.into_iter();
+    let Some(first) = terms.next() else {
+        return T::zero();
+    };
+    let first = term(first);
+    terms.fold(first, |total, i| total + term(i))
 }
 
 /// `Π factor(i)` over a set, from the first to the last; 1 if it is empty.
