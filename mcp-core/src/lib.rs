@@ -25,16 +25,14 @@
 //!
 //! From here, [`Report`] shows the answer by name, as text, CSV or JSON (feature `serde`);
 //! [`check_derivatives`] checks every entry of the Jacobian in a one-line test, [`check_point`]
-//! whether a benchmark is a solution; [`Options`] sets
-//! method and tolerances; a [`Solver`] is for many solves; [`Model`] is for sizes that come from
-//! data.
+//! whether a benchmark is a solution; [`Options`] sets method and tolerances; a [`Solver`] is for many
+//! solves; [`mcp!`](macro@mcp) is for models over index sets, whose sizes come from data.
 //!
 //! # Where to read on
 //!
 //! [`mcp!`](macro@mcp) the modelling language · [`language`] what its models are made of: data, sets,
 //! views · [`scalar`] numbers inside a model and their corners · [`model`] what the language and a
-//! hand-written model become ·
-//! [`problem`] exact derivatives and their pattern · [`solver`] methods, options, statuses, the
+//! hand-written model become · [`problem`] exact derivatives and their pattern · [`solver`] methods, options, statuses, the
 //! certificate · [`ncp`] complementarity functions · [`globalise`] line searches · [`linalg`]
 //! linear systems · [`report`] tables by name.
 //!

@@ -1,4 +1,5 @@
-//! What `#[mcp_fn]` calls: not part of the interface.
+//! What the macros call: not part of the interface. What `mcp!` calls beside [`number`] stands in
+//! [`language`](crate::language).
 
 use crate::error::ModelError;
 use crate::model::{Equation, Set, Shape, Variable};

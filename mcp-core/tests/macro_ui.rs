@@ -1,6 +1,6 @@
-//! What the compiler shows where `#[mcp_fn]` leaves an error to it.
+//! What the compiler shows of the macros' errors, and where they leave an error to it.
 //!
-//! The messages of the macro itself are tested in `mcp-macros`, in milliseconds; each case here
+//! The messages of the macros themselves are tested in `mcp-macros`, in milliseconds; each case here
 //! runs the compiler, whose own words change from version to version. So the cases are compared on
 //! the version they were written with. After a deliberate change:
 //! `TRYBUILD=overwrite cargo test --workspace --test macro_ui`.

@@ -80,10 +80,7 @@ pub fn scalar(name: &str, value: Option<f64>) -> Result<f64, ModelError> {
 /// # Errors
 /// [`DataError::NotGiven`] and those of [`Table::resolve`].
 pub fn table(name: &str, sets: &[&Set], given: &Option<Table>) -> Result<Layout, ModelError> {
-    let Some(table) = given else {
-        return Err(DataError::NotGiven { name: name.to_owned() }.into());
-    };
-    let values = table.resolve(name, sets)?;
+    let values = required(name, given.as_ref())?.resolve(name, sets)?;
     Ok(Layout::new(name, sets)?.with_values(values))
 }
 

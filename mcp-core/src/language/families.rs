@@ -55,20 +55,6 @@ impl<X> Data<X> {
     }
 }
 
-impl<X> Variables<X> {
-    /// Number of elements that exist.
-    pub fn count(&self) -> usize {
-        self.0.count
-    }
-}
-
-impl<X> Parameters<X> {
-    /// The values in the data, in order.
-    pub fn values(&self) -> &[f64] {
-        self.0.values()
-    }
-}
-
 /// 0 for an element whose condition does not hold.
 #[inline]
 fn absent<D: Scalar>() -> Real<D> {

@@ -65,11 +65,11 @@ macro_rules! check {
 
             let dense_family: Variables<Sets> = family(layout(lengths, offset));
             let sparse_family: Variables<Sets> = family(layout(lengths, offset).only(&members));
-            assert_eq!((dense_family.count(), sparse_family.count()), (all.len(), members.len()));
+            assert_eq!((dense_family.0.count, sparse_family.0.count), (all.len(), members.len()));
             let definitions: Definitions<Sets> = family(layout(lengths, offset));
             let parameters: Parameters<Sets> =
                 family(layout(lengths, offset).with_values(base.clone()));
-            assert_eq!(parameters.values(), base);
+            assert_eq!(parameters.0.values(), base);
             let data: Data<Sets> = family(layout(lengths, 0).with_values(base.clone()));
             let rows: Rows<Sets> = family(layout(lengths, 0));
             let sparse_rows: Rows<Sets> = family(layout(lengths, 0).only(&members));
@@ -222,7 +222,7 @@ fn reads_do_not_depend_on_whether_all_elements_are_listed() {
 #[test]
 fn a_family_without_index_sets_may_be_absent() {
     let absent: Variables<()> = family(layout(&[], 4).only(&[]));
-    assert_eq!((absent.count(), absent.place()), (0, None));
+    assert_eq!((absent.0.count, absent.place()), (0, None));
     let (values, reads) = recorded(|read| (absent.get(read), absent.at(read)));
     assert_eq!(values.0.into_scalar(), 0.0);
     assert!(!values.1.exists() && reads.variables.is_empty());

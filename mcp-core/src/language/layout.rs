@@ -3,7 +3,7 @@
 
 use super::ix::narrow;
 use crate::error::ModelError;
-use crate::model::{MOST_ELEMENTS, Set};
+use crate::model::{Set, combinations};
 use std::sync::Arc;
 
 /// Most index sets of one family.
@@ -58,12 +58,9 @@ impl Layout {
         for (length, set) in lengths.iter_mut().zip(sets) {
             *length = set.len();
         }
-        let combinations = sets.iter().try_fold(1_usize, |all, set| all.checked_mul(set.len()));
-        match combinations {
-            Some(count) if count <= MOST_ELEMENTS => {
-                Ok(Layout { lengths, count, ..Layout::default() })
-            }
-            _ => Err(ModelError::TooManyElements { name: family.to_owned() }),
+        match combinations(sets) {
+            Some(count) => Ok(Layout { lengths, count, ..Layout::default() }),
+            None => Err(ModelError::TooManyElements { name: family.to_owned() }),
         }
     }
 

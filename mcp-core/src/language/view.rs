@@ -2,7 +2,7 @@
 
 use crate::error::ModelError;
 use crate::model::{Family, Reader, Set};
-use crate::problem::{Derived, PlainModel, plain, plain_definitions};
+use crate::problem::{Derived, PlainModel, constants, plain_definitions};
 use crate::solver::Solution;
 use std::array::from_fn;
 use std::ops::{Deref, Index};
@@ -226,9 +226,9 @@ fn numbers(family: &Family, all: &[f64], marginals: &[f64]) -> Arc<Numbers> {
 pub fn start_of_lifted(model: &dyn PlainModel, lifted: &[(usize, usize)]) -> Vec<f64> {
     let shape = model.plain_shape();
     let mut start = shape.start().to_vec();
-    let parameters = plain(shape.parameter_values());
+    let parameters = constants(shape.parameter_values());
     for &(variable, equation) in lifted {
-        let z = plain(&start);
+        let z = constants(&start);
         let definitions = plain_definitions(model, &z, &parameters);
         let read = Reader::lanes(&z, &definitions, &parameters);
         let family = &shape.variables()[variable];

@@ -197,11 +197,12 @@ fn index_in(kind: &'static str, family: &Family, labels: &str) -> Result<usize, 
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::*;
     use crate::model::{Equation, Variable};
 
-    fn trade(markets: &[&str]) -> Shape {
+    /// `x[plants, markets]` and `p`.
+    pub(in crate::model) fn trade(markets: &[&str]) -> Shape {
         let plants = Set::new("plants", ["seattle", "san-diego"]).unwrap();
         let markets = Set::new("markets", markets.iter().copied()).unwrap();
         Shape::builder()

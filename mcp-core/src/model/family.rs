@@ -7,6 +7,12 @@ use std::sync::Arc;
 /// Elements a family may have: places of structural nonzeros are 32-bit numbers.
 pub(crate) const MOST_ELEMENTS: usize = 1 << 31;
 
+/// Number of combinations of these sets, unless there are more than a family may have.
+pub(crate) fn combinations(sets: &[&Set]) -> Option<usize> {
+    let count = sets.iter().try_fold(1_usize, |count, set| count.checked_mul(set.len()));
+    count.filter(|&count| count <= MOST_ELEMENTS)
+}
+
 /// One value for all elements of a family, or one for each.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Values {

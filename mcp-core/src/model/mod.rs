@@ -11,8 +11,8 @@
 //! This is the sign convention of PATH, GAMS and JuMP. CompEcon and Miranda & Fackler use the
 //! opposite one. Economists write `cost - price ⟂ quantity` and `supply - demand ⟂ price`.
 //!
-//! Write a fixed-size `F` as a function with [`#[mcp_fn]`](macro@crate::mcp_fn); implement
-//! [`Model`] by hand where sizes come from data.
+//! Write `F` in the language, [`mcp!`](macro@crate::mcp), or as a function of fixed size with
+//! [`#[mcp_fn]`](macro@crate::mcp_fn); [`Model`] can also be implemented by hand.
 
 mod bounds;
 mod builder;
@@ -26,8 +26,8 @@ mod transfer;
 pub(crate) use bounds::BadBounds;
 pub use bounds::{BoundKind, Bounds};
 pub use builder::{Definition, Equation, Parameter, ShapeBuilder, Variable};
-pub(crate) use family::MOST_ELEMENTS;
 pub use family::{Block, Family, Values};
+pub(crate) use family::{MOST_ELEMENTS, combinations};
 pub use reader::Reader;
 pub(crate) use reader::{Local, Point, Reads, Recorder, Slots};
 pub use set::Set;

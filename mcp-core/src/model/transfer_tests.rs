@@ -1,4 +1,5 @@
 use super::*;
+use crate::model::by_name::tests::trade;
 use crate::model::{Equation, ShapeBuilder, Variable};
 use std::sync::Arc;
 
@@ -19,18 +20,6 @@ fn paired(name: &str, sets: &[&Set], only: Option<&[usize]>) -> Shape {
 
 fn solution(shape: &Shape, z: &[f64]) -> Solution {
     Solution { shape: Arc::new(shape.clone()), z: z.to_vec(), ..Solution::nothing() }
-}
-
-fn trade(markets: &[&str]) -> Shape {
-    let plants = Set::new("plants", ["seattle", "san-diego"]).unwrap();
-    let markets = Set::new("markets", markets.iter().copied()).unwrap();
-    Shape::builder()
-        .variable(Variable::new("x").over(&[&plants, &markets]).lower(0.0).start(1.0))
-        .variable(Variable::new("p").lower(0.0).start(2.0))
-        .equation(Equation::new("profit").over(&[&plants, &markets]).complements("x"))
-        .equation(Equation::new("balance").complements("p"))
-        .build()
-        .unwrap()
 }
 
 #[test]

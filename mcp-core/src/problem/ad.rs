@@ -203,8 +203,7 @@ impl<M: Model> AdProblem<M> {
         let tally = Tally::new();
         let variable = |&z: &f64| Real(tally.variable(z));
         let z: Vec<Real<Counted<'_>>> = self.shape.start().iter().map(variable).collect();
-        let parameters: Vec<_> =
-            self.shape.parameter_values().iter().map(|&p| Real::from(p)).collect();
+        let parameters = constants(self.shape.parameter_values());
         evaluate_all(&self.model, &self.shape, &z, &parameters);
         tally.counts()
     }
@@ -221,7 +220,7 @@ impl<M: Model> AdProblem<M> {
         }
         let m = values.len();
         let mut jacobian = vec![0.0; n * m];
-        let z: Vec<Real<Chunk>> = z.iter().map(|&z| Real::from(z)).collect();
+        let z: Vec<Real<Chunk>> = constants(z);
         for first in (0..m).step_by(Chunk::LANES) {
             let seed = |(k, &p): (usize, &f64)| Real(Chunk::seed(p, k.wrapping_sub(first)));
             let parameters: Vec<Real<Chunk>> = values.iter().enumerate().map(seed).collect();

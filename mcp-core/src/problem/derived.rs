@@ -1,5 +1,6 @@
 //! [`Derived`]: what a model computes beside `F`.
 
+use super::record::constants;
 use crate::model::{Model, Reader, Shape};
 use crate::scalar::{Real, Scalar};
 
@@ -44,7 +45,7 @@ impl Derived {
     /// Evaluates definitions and reports at `z`, with these parameters.
     pub(crate) fn at(model: &dyn PlainModel, z: &[f64], parameters: &[f64]) -> Self {
         let shape = model.plain_shape();
-        let (z, parameters) = (plain(z), plain(parameters));
+        let (z, parameters) = (constants(z), constants(parameters));
         let definitions = plain_definitions(model, &z, &parameters);
         let read = Reader::lanes(&z, &definitions, &parameters);
         let mut reports = Vec::new();
@@ -55,11 +56,6 @@ impl Derived {
         let definitions = definitions.into_iter().map(Real::into_scalar).collect();
         Derived { definitions, reports }
     }
-}
-
-/// Numbers for a model to compute with.
-pub(crate) fn plain(values: &[f64]) -> Vec<Real<f64>> {
-    values.iter().map(|&value| Real::from(value)).collect()
 }
 
 /// All definitions of a model in plain numbers.

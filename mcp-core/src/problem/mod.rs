@@ -27,8 +27,9 @@ pub use derivative_check::{Comparison, DerivativeReport, WrongDerivative, check_
 pub use derived::Derived;
 #[doc(hidden)]
 pub use derived::PlainModel;
-pub(crate) use derived::{plain, plain_definitions};
+pub(crate) use derived::plain_definitions;
 pub use pattern::{Pattern, WithDiagonal};
+pub(crate) use record::constants;
 
 use crate::model::Shape;
 use std::sync::Arc;

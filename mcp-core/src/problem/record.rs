@@ -123,6 +123,6 @@ pub(super) fn trace_whole<M: Model>(model: &M, shape: &Shape) -> Pattern {
 }
 
 /// Numbers without tangents.
-pub(super) fn constants<D: Scalar>(values: &[f64]) -> Vec<Real<D>> {
+pub(crate) fn constants<D: Scalar>(values: &[f64]) -> Vec<Real<D>> {
     values.iter().map(|&value| Real(D::constant(value))).collect()
 }

@@ -2,15 +2,13 @@
 
 use super::Report;
 use super::format::{Align, Grid, clean, number};
+use super::text::ROWS_OF_A_FAMILY;
 use crate::model::Family;
 use std::fmt;
 use std::io::{self, Write};
 
 #[cfg(feature = "serde")]
 use super::export::number as serialize_number;
-
-/// Rows a text shows of each family.
-const ROWS_OF_A_FAMILY: usize = 50;
 
 /// What a model computes beside `F`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -90,14 +88,11 @@ fn write_families(
     let units = families.iter().any(|family| !family.unit().is_empty());
     let columns =
         [("name", Align::Left, true), ("value", Align::Point, true), ("unit", Align::Left, units)];
-    let shown = columns.iter().filter(|column| column.2);
-    let mut grid = Grid::new(shown.map(|column| (column.0, column.1)));
+    let mut grid = Grid::with_shown(columns);
     for family in families {
         let values = &values[family.offset()..family.offset() + family.len()];
         for (index, &value) in values.iter().enumerate().take(ROWS_OF_A_FAMILY) {
-            let cells = [family.element_name(index), number(value), family.unit().to_owned()];
-            let cells = cells.into_iter().zip(&columns).filter(|(_, column)| column.2);
-            grid.row(cells.map(|(cell, _)| cell));
+            grid.row([family.element_name(index), number(value), family.unit().to_owned()]);
         }
         let left_out = values.len().saturating_sub(ROWS_OF_A_FAMILY);
         if left_out > 0 {

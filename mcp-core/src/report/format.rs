@@ -130,6 +130,8 @@ pub(super) enum Align {
 #[derive(Debug, Default)]
 pub(super) struct Grid {
     columns: Vec<(String, Align)>,
+    /// For each cell of a row, whether its column is shown.
+    shown: Vec<bool>,
     lines: Vec<Line>,
 }
 
@@ -149,14 +151,27 @@ struct Extent {
 impl Grid {
     /// A table with these column headers.
     pub(super) fn new<'a>(columns: impl IntoIterator<Item = (&'a str, Align)>) -> Self {
-        let columns = columns.into_iter().map(|(header, align)| (clean(header), align)).collect();
-        Grid { columns, lines: Vec::new() }
+        Self::with_shown(columns.into_iter().map(|(header, align)| (header, align, true)))
     }
 
-    /// Adds a row: one cell for each column.
+    /// A table with these column headers, of which only some are shown.
+    pub(super) fn with_shown<'a>(
+        columns: impl IntoIterator<Item = (&'a str, Align, bool)>,
+    ) -> Self {
+        let mut grid = Grid { columns: Vec::new(), shown: Vec::new(), lines: Vec::new() };
+        for (header, align, shown) in columns {
+            grid.shown.push(shown);
+            grid.columns.extend(shown.then(|| (clean(header), align)));
+        }
+        grid
+    }
+
+    /// Adds a row: one cell for each column, shown or not.
     pub(super) fn row(&mut self, cells: impl IntoIterator<Item = String>) {
-        let cells: Vec<String> = cells.into_iter().map(|cell| clean(&cell)).collect();
-        debug_assert_eq!(cells.len(), self.columns.len());
+        let cells: Vec<String> = cells.into_iter().collect();
+        debug_assert_eq!(cells.len(), self.shown.len());
+        let shown = cells.iter().zip(&self.shown).filter(|(_, shown)| **shown);
+        let cells: Vec<String> = shown.map(|(cell, _)| clean(cell)).collect();
         self.lines.push(Line::Cells(cells));
     }
 

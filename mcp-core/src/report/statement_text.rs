@@ -100,12 +100,8 @@ impl Statement {
 
 /// A table of the columns that are wanted.
 fn table(columns: &[(&str, Align, bool); 4], rows: impl Iterator<Item = [String; 4]>) -> Grid {
-    let wanted = columns.iter().filter(|column| column.2);
-    let mut grid = Grid::new(wanted.map(|column| (column.0, column.1)));
-    for row in rows {
-        let cells = row.into_iter().zip(columns).filter(|(_, column)| column.2);
-        grid.row(cells.map(|(cell, _)| cell));
-    }
+    let mut grid = Grid::with_shown(columns.iter().copied());
+    rows.for_each(|row| grid.row(row));
     grid
 }
 

@@ -9,7 +9,7 @@ use std::io::{self, Write};
 /// Up to this many rows a solution table is complete.
 const SHORT_TABLE: usize = 50;
 /// Rows a longer table shows of each family.
-const ROWS_OF_A_FAMILY: usize = 50;
+pub(super) const ROWS_OF_A_FAMILY: usize = 50;
 /// Variables shown with a fault.
 const READS: usize = 8;
 /// Equations listed for a solve that did not end in a solution.
@@ -140,8 +140,7 @@ impl Report {
             ("state", Align::Left, true),
             ("⟂ equation", Align::Left, true),
         ];
-        let shown = columns.iter().filter(|column| column.2);
-        let mut grid = Grid::new(shown.map(|column| (column.0, column.1)));
+        let mut grid = Grid::with_shown(columns);
         let all = n <= SHORT_TABLE;
         let mut missing = 0;
         for family in self.shape.variables() {
@@ -149,7 +148,7 @@ impl Report {
             for &i in &listed {
                 let row = self.row(i);
                 let optional = |x: Option<f64>| x.map(number).unwrap_or_default();
-                let cells = [
+                grid.row([
                     row.variable,
                     number(row.lower),
                     number(row.level),
@@ -159,9 +158,7 @@ impl Report {
                     optional(row.rent),
                     row.state.name().to_owned(),
                     row.equation.unwrap_or_default(),
-                ];
-                let cells = cells.into_iter().zip(&columns).filter(|(_, column)| column.2);
-                grid.row(cells.map(|(cell, _)| cell));
+                ]);
             }
             if listed.len() < family.len() {
                 let left_out = family.len() - listed.len();

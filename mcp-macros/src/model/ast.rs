@@ -49,11 +49,7 @@ impl Model {
     pub(super) fn expressions(&self) -> impl Iterator<Item = &TokenStream> {
         let params = self.params.iter().filter_map(|param| param.value.as_ref());
         let starts = self.vars.iter().flat_map(|var| var.start.iter().chain(&var.condition));
-        let bounds = self.vars.iter().flat_map(|var| match &var.bounds {
-            Bounds::Free => vec![],
-            Bounds::Lower(bound) | Bounds::Upper(bound) => vec![bound],
-            Bounds::Box(lower, upper) => vec![lower, upper],
-        });
+        let bounds = self.vars.iter().flat_map(|var| var.bounds.values());
         let defs = self.defs.iter().map(|def| &def.expression);
         let bodies = self.eqs.iter().flat_map(|eq| eq.body.sides());
         let conditions = self.eqs.iter().flat_map(|eq| eq.condition.iter().chain(&eq.pair));
@@ -165,6 +161,17 @@ pub(super) enum Bounds {
     Upper(TokenStream),
     /// `in expr..=expr`
     Box(TokenStream, TokenStream),
+}
+
+impl Bounds {
+    /// The expressions of the bounds.
+    pub(super) fn values(&self) -> Vec<&TokenStream> {
+        match self {
+            Bounds::Free => Vec::new(),
+            Bounds::Lower(bound) | Bounds::Upper(bound) => vec![bound],
+            Bounds::Box(lower, upper) => vec![lower, upper],
+        }
+    }
 }
 
 /// One place in brackets: an index that runs, or an expression that picks one element.

@@ -16,15 +16,14 @@ use crate::errors::Errors;
 use crate::messages;
 
 /// Reports everything that is wrong.
-pub(super) fn model(model: &Model, errors: &mut Errors) {
-    let names = Names::of(model, errors);
-    headers::check(model, &names, errors);
+pub(super) fn model(model: &Model, names: &Names<'_>, errors: &mut Errors) {
+    headers::check(model, names, errors);
     if model.vars.is_empty() {
         if model.lost.names.is_empty() && !model.lost.equations {
             errors.at(&model.name, messages::names::NO_VARIABLES);
         }
     } else {
-        pairs::check(model, &names, errors);
+        pairs::check(model, names, errors);
     }
-    expressions::check(model, &names, errors);
+    expressions::check(model, names, errors);
 }

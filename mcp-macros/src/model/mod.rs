@@ -9,29 +9,37 @@ mod rewrite;
 mod tokens;
 
 use crate::errors::Errors;
+use expand::Bodies;
 use names::Names;
 use proc_macro2::TokenStream;
 
 /// The model of the text, followed by everything that is wrong with it.
 pub(crate) fn mcp(tokens: TokenStream) -> TokenStream {
-    let (model, errors) = read(tokens);
-    let Some(model) = model else { return errors.to_compile_errors() };
-    let mut model = model;
-    if !errors.is_empty() {
-        model.drop_duplicates();
-    }
-    let names = Names::of(&model, &mut Errors::default());
-    let bodies = if errors.is_empty() {
-        expand::Bodies::Whole
-    } else if in_language_server() {
-        expand::Bodies::ForTheLanguageServer
-    } else {
-        expand::Bodies::Stubs
+    let mut errors = Errors::default();
+    let Some(mut model) = parse::model(tokens, &mut errors) else {
+        return errors.to_compile_errors();
     };
-    let mut expansion = expand::model(&model, &names, bodies);
+    let names = names(&model, &mut errors);
+    let mut expansion = if errors.is_empty() {
+        expand::model(&model, &names, Bodies::Whole)
+    } else {
+        model.drop_duplicates();
+        let names = Names::of(&model, &mut Errors::default());
+        let server = in_language_server();
+        let bodies = if server { Bodies::ForTheLanguageServer } else { Bodies::Stubs };
+        expand::model(&model, &names, bodies)
+    };
     expansion.extend(errors.to_compile_errors());
     print_if_asked(&model.name.to_string(), &expansion);
     expansion
+}
+
+/// The names of the model; what is wrong with it is in `errors`, in the order of the text.
+fn names<'m>(model: &'m ast::Model, errors: &mut Errors) -> Names<'m> {
+    let names = Names::of(model, errors);
+    check::model(model, &names, errors);
+    errors.sort();
+    names
 }
 
 /// Whether a language server runs the macro: it reads all of a model with errors, where the compiler
@@ -39,17 +47,6 @@ pub(crate) fn mcp(tokens: TokenStream) -> TokenStream {
 fn in_language_server() -> bool {
     let program = std::env::current_exe().unwrap_or_default();
     program.file_stem().is_some_and(|stem| stem.to_string_lossy().contains("rust-analyzer"))
-}
-
-/// The model, as far as it could be read, and what is wrong with it in the order of the text.
-fn read(tokens: TokenStream) -> (Option<ast::Model>, Errors) {
-    let mut errors = Errors::default();
-    let model = parse::model(tokens, &mut errors);
-    if let Some(model) = &model {
-        check::model(model, &mut errors);
-    }
-    errors.sort();
-    (model, errors)
 }
 
 /// Prints the expansion of the model that the environment variable `MCP_MACRO_DEBUG` names.
@@ -63,6 +60,9 @@ fn print_if_asked(name: &str, expansion: &TokenStream) {
 /// Everything that is wrong with the text, in its order.
 #[cfg(test)]
 pub(crate) fn check(tokens: TokenStream) -> Result<(), Errors> {
-    let (_, errors) = read(tokens);
+    let mut errors = Errors::default();
+    if let Some(model) = parse::model(tokens, &mut errors) {
+        names(&model, &mut errors);
+    }
     if errors.is_empty() { Ok(()) } else { Err(errors) }
 }

@@ -4,7 +4,6 @@ use super::ast::{Def, Field, FieldKind, Index, Model, Param, Var};
 use crate::errors::Errors;
 use crate::messages::names as messages;
 use crate::nearest::nearest;
-use quote::ToTokens;
 use std::collections::{HashMap, HashSet};
 use syn::{Ident, Type};
 
@@ -68,7 +67,7 @@ impl Kind<'_> {
             Kind::Field(field) => match &field.kind {
                 FieldKind::Table => strings(&field.over),
                 FieldKind::Map(from, _) => vec![from.to_string()],
-                FieldKind::Value(ty) if ty.to_token_stream().to_string() == "f64" => Vec::new(),
+                FieldKind::Value(ty) if is_type(ty, "f64") => Vec::new(),
                 _ => return None,
             },
             Kind::Param(param) => of(&param.over),
@@ -202,7 +201,11 @@ fn declared(model: &Model) -> Vec<(&Ident, Kind<'_>)> {
 
 /// Whether a value of this type is stored by itself rather than shared.
 pub(super) fn is_number(value: &Type) -> bool {
-    let Type::Path(path) = value else { return false };
     let numbers = ["f64", "f32", "usize", "isize", "i32", "u32", "i64", "u64", "bool"];
-    path.path.get_ident().is_some_and(|ident| numbers.iter().any(|number| ident == number))
+    numbers.iter().any(|number| is_type(value, number))
+}
+
+/// Whether the type is written as this word.
+pub(super) fn is_type(value: &Type, word: &str) -> bool {
+    matches!(value, Type::Path(path) if path.path.is_ident(word))
 }

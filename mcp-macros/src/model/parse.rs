@@ -10,11 +10,11 @@ mod split;
 mod variable;
 
 use super::ast::{FieldKind, Lost, Model};
+use super::names::is_type;
 use super::tokens::{is_punct, is_word, trees, word};
 use crate::errors::Errors;
 use crate::messages::grammar;
 use proc_macro2::{TokenStream, TokenTree};
-use quote::ToTokens;
 use std::collections::HashSet;
 use syn::parse::{ParseStream, Parser};
 use syn::{Attribute, Ident};
@@ -73,8 +73,7 @@ fn head(input: ParseStream<'_>) -> syn::Result<(Model, TokenStream)> {
 fn find_sizes(model: &mut Model) {
     let used = used_sets(model);
     for field in &mut model.fields {
-        let is_usize = matches!(&field.kind, FieldKind::Value(ty)
-            if ty.to_token_stream().to_string() == "usize");
+        let is_usize = matches!(&field.kind, FieldKind::Value(ty) if is_type(ty, "usize"));
         if is_usize && used.contains(&field.name.to_string()) {
             field.kind = FieldKind::Size;
         }

@@ -1,6 +1,6 @@
 //! Texts of `mcp!` without errors, and texts that are hard to read.
 
-use super::language_models::{CGE, CONTACT_STEP, POWER, SPATIAL};
+use super::language_models::models;
 use super::model_errors as errors;
 use super::mutilated;
 use crate::model::check;
@@ -15,8 +15,8 @@ fn beside(items: &str) -> String {
 
 #[test]
 fn the_four_models_have_no_errors() {
-    for text in [CGE, POWER, SPATIAL, CONTACT_STEP] {
-        assert_eq!(errors(text), "");
+    for model in models() {
+        assert_eq!(check(model).map_err(|errors| errors.lines()), Ok(()));
     }
 }
 

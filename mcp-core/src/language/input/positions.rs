@@ -3,6 +3,7 @@
 use super::{DataError, Place};
 use crate::Set;
 use crate::error::nearest;
+use crate::model::Family;
 use std::collections::HashMap;
 
 /// Where each label of a set stands: made once, then each look-up takes constant time. A numbered set
@@ -65,14 +66,7 @@ pub(super) fn key_name<L: AsRef<str>>(data: &str, labels: &[L]) -> String {
 
 /// Name of the element at a position, the last index running fastest.
 pub(super) fn element_name(data: &str, sets: &[&Set], position: usize) -> String {
-    let mut rest = position;
-    let mut labels = Vec::with_capacity(sets.len());
-    for set in sets.iter().rev() {
-        labels.push(set.label(rest % set.len()));
-        rest /= set.len();
-    }
-    labels.reverse();
-    key_name(data, &labels)
+    Family::of_table(data, sets).element_name(position)
 }
 
 #[cfg(test)]

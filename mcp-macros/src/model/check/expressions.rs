@@ -1,11 +1,10 @@
 //! Every expression of a model, with what may be read in it.
 
-use super::super::ast::{Body, Bounds, Eq, Fix, Model, Place, Var};
+use super::super::ast::{Eq, Fix, Model, Place, Var};
 use super::super::names::Names;
 use super::family::{running, scope};
 use super::reads::{Purpose, Reader};
 use crate::errors::Errors;
-use proc_macro2::TokenStream;
 
 /// Reports what expressions cannot read.
 pub(super) fn check(model: &Model, names: &Names<'_>, errors: &mut Errors) {
@@ -36,12 +35,7 @@ pub(super) fn check(model: &Model, names: &Names<'_>, errors: &mut Errors) {
 
 fn check_var(var: &Var, names: &Names<'_>, errors: &mut Errors) {
     let mut reader = Reader::new(names, scope(&var.over, names), errors);
-    let bounds: Vec<&TokenStream> = match &var.bounds {
-        Bounds::Free => Vec::new(),
-        Bounds::Lower(bound) | Bounds::Upper(bound) => vec![bound],
-        Bounds::Box(lower, upper) => vec![lower, upper],
-    };
-    for bound in bounds {
+    for bound in var.bounds.values() {
         reader.check(bound, Purpose::Data("a bound"));
     }
     if let Some(start) = &var.start {
@@ -67,11 +61,7 @@ fn check_eq(eq: &Eq, names: &Names<'_>, errors: &mut Errors) {
     if let Some(condition) = &eq.condition {
         reader.check(condition, Purpose::Data("a condition"));
     }
-    match &eq.body {
-        Body::Expression(body) => reader.check(body, Purpose::Any),
-        Body::Relation { left, right, .. } => {
-            reader.check(left, Purpose::Any);
-            reader.check(right, Purpose::Any);
-        }
+    for side in eq.body.sides() {
+        reader.check(side, Purpose::Any);
     }
 }

@@ -1,7 +1,7 @@
 //! `build()`: data are resolved, families laid out, and the shape declared.
 
 use super::super::ast::{Field, FieldKind, Index, Param};
-use super::super::names::is_number;
+use super::super::names::{is_number, is_type};
 use super::super::rewrite::wrapping;
 use super::families::text;
 use super::{Expansion, label};
@@ -152,7 +152,7 @@ impl<'m> Expansion<'m> {
             }
             // Read into the model.
             FieldKind::Table => return TokenStream::new(),
-            FieldKind::Value(value) if code!(#value).to_string() == "f64" => {
+            FieldKind::Value(value) if is_type(value, "f64") => {
                 code!(::mcp_core::language::scalar(#text, self.#name.take())?)
             }
             FieldKind::Value(value) if is_number(value) => given,

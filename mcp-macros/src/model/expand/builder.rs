@@ -1,6 +1,7 @@
 //! The builder: one method for each field of the data and each parameter.
 
 use super::super::ast::FieldKind;
+use super::super::names::is_type;
 use super::Expansion;
 use super::items::{about, indices};
 use proc_macro2::{Ident, TokenStream};
@@ -103,7 +104,7 @@ impl Given<'_> {
     fn is_converted(&self) -> bool {
         match self {
             Given::Input(_) => true,
-            Given::User(user) => code!(#user).to_string() == "f64",
+            Given::User(user) => is_type(user, "f64"),
         }
     }
 }

@@ -59,14 +59,7 @@ impl Expansion<'_> {
             Place::Every(index) => index.name.to_token_stream(),
             Place::One(tokens) => self.rewriter.expression(tokens),
         });
-        let over: Vec<&Index> = fix
-            .places
-            .iter()
-            .filter_map(|place| match place {
-                Place::Every(index) => Some(index),
-                Place::One(_) => None,
-            })
-            .collect();
+        let over: Vec<&Index> = fix.places.iter().filter_map(Place::index).collect();
         let sets = Self::sets_of(over.iter().copied());
         let body = code!((#model.#variable.place(#(#places),*), #value));
         let at_each = Self::at_each(over, &body);

@@ -1,7 +1,7 @@
 //! What only a language server reads: names to complete, and every occurrence of a name where it can
 //! be renamed together with the others. The compiler drops it all.
 
-use super::super::ast::{Bounds, FieldKind};
+use super::super::ast::FieldKind;
 use super::super::rewrite::sets_in;
 use super::Expansion;
 use super::rows::Function;
@@ -65,12 +65,8 @@ impl Expansion<'_> {
             .flat_map(|tokens| sets_in(self.rewriter.names, tokens))
             .collect();
         let vars = self.model.vars.iter().map(|var| {
-            let bounds = match &var.bounds {
-                Bounds::Free => [None, None],
-                Bounds::Lower(bound) | Bounds::Upper(bound) => [Some(bound), None],
-                Bounds::Box(lower, upper) => [Some(lower), Some(upper)],
-            };
-            let values = bounds.into_iter().flatten().chain(&var.start).chain(&var.condition);
+            let bounds = var.bounds.values().into_iter();
+            let values = bounds.chain(&var.start).chain(&var.condition);
             let (offered, values) = (self.offered_data(), self.also(values));
             Self::for_each(&var.over, code!({ #offered #values }))
         });

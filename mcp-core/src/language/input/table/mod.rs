@@ -16,6 +16,7 @@ use super::csv_source::CsvSource;
 use super::positions::{Positions, element_name, key_name};
 use super::{DataError, Place};
 use crate::Set;
+use crate::model::combinations;
 use entries::Entries;
 #[cfg(feature = "serde")]
 use std::path::Path;
@@ -224,8 +225,5 @@ fn form(table: &str, sets: &[&Set]) -> String {
 }
 
 fn element_count(table: &str, sets: &[&Set]) -> Result<usize, DataError> {
-    let count = sets.iter().try_fold(1_usize, |count, set| count.checked_mul(set.len()));
-    count
-        .filter(|&count| count <= 1 << 31)
-        .ok_or_else(|| DataError::TooManyElements { form: form(table, sets) })
+    combinations(sets).ok_or_else(|| DataError::TooManyElements { form: form(table, sets) })
 }
