@@ -31,10 +31,10 @@
 //! # Where to read on
 //!
 //! [`mcp!`](macro@mcp) the modelling language · [`language`] what its models are made of: data, sets,
-//! views · [`scalar`] numbers inside a model and their corners · [`model`] what the language and a
+//! views · [`economics`] cost functions, accounts, laws of economies · [`scalar`] numbers inside a model and their corners · [`model`] what the language and a
 //! hand-written model become · [`problem`] exact derivatives and their pattern · [`solver`] methods, options, statuses, the
 //! certificate · [`ncp`] complementarity functions · [`globalise`] line searches · [`linalg`]
-//! linear systems · [`report`] tables by name.
+//! linear systems · [`report`] tables by name · [`study`] sweeps over a parameter and comparisons.
 //!
 //! # References
 //!
@@ -49,8 +49,10 @@
 //! | \[GLL86\] | L. Grippo, F. Lampariello, S. Lucidi (1986), A nonmonotone line search technique for Newton's method. SIAM J. Numer. Anal. 23 |
 //! | \[GV13\] | G. H. Golub, C. F. Van Loan (2013), Matrix Computations, 4th ed. Johns Hopkins |
 //! | \[KK98\] | C. Kanzow, H. Kleinmichel (1998), A new class of semismooth Newton-type methods for nonlinear complementarity problems. Comput. Optim. Appl. 11 |
+//! | \[Mat85\] | L. Mathiesen (1985), Computation of economic equilibria by a sequence of linear complementarity problems. Math. Prog. Study 23 |
 //! | \[Mur78\] | K. G. Murty (1978), Computational complexity of complementary pivot methods. Math. Prog. Study 7 |
 //! | \[Rui01\] | D. Ruiz (2001), A scaling algorithm to equilibrate both rows and columns norms in matrices. RAL-TR-2001-034 |
+//! | \[Rut99\] | T. F. Rutherford (1999), Applied general equilibrium modeling with MPSGE as a GAMS subsystem. Comput. Econ. 14 |
 //! | \[ZH04\] | H. Zhang, W. W. Hager (2004), A nonmonotone line search technique and its application to unconstrained optimization. SIAM J. Optim. 14 |
 
 // Generated code and doctests name this crate from outside and from inside alike.
@@ -59,6 +61,7 @@ extern crate self as mcp_core;
 #[doc(hidden)]
 #[path = "private.rs"]
 pub mod __private;
+pub mod economics;
 pub mod error;
 pub mod globalise;
 pub mod language;
@@ -69,6 +72,7 @@ pub mod problem;
 pub mod report;
 pub mod scalar;
 pub mod solver;
+pub mod study;
 #[cfg(feature = "testing")]
 pub mod testing;
 

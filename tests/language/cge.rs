@@ -1,44 +1,11 @@
 //! A general equilibrium with nested CES production, in calibrated share form.
 
-use mcp_core::{Options, Real, Scalar, check_point, mcp, prod, solve, sum};
+use mcp_core::economics::{ces, ces2, cobb};
+use mcp_core::{Options, check_point, mcp, solve};
 
-/// Unit cost of a CES nest with shares that sum to 1 and base prices 1:
-/// `(Σ θ p^(1−σ))^(1/(1−σ))`, Cobb–Douglas at σ = 1.
-fn ces<D: Scalar, I: IntoIterator>(
-    sigma: f64,
-    set: I,
-    mut term: impl FnMut(I::Item) -> (f64, Real<D>),
-) -> Real<D> {
-    if sigma == 1.0 {
-        return prod(set, |i| {
-            let (share, price) = term(i);
-            price.pow(share)
-        });
-    }
-    let rho = 1.0 - sigma;
-    let total = sum(set, |i| {
-        let (share, price) = term(i);
-        share * price.pow(rho)
-    });
-    total.pow(1.0 / rho)
-}
-
-/// Two inputs, the first with this share.
-fn ces2<D: Scalar>(sigma: f64, share: f64, first: Real<D>, second: Real<D>) -> Real<D> {
-    ces(sigma, [(share, first), (1.0 - share, second)], |term| term)
-}
-
-/// Cobb–Douglas with weights that are normalised here.
-fn cobb<D: Scalar, I: IntoIterator + Clone>(
-    set: I,
-    mut term: impl FnMut(I::Item) -> (f64, Real<D>),
-) -> Real<D> {
-    let total: f64 = set.clone().into_iter().map(|i| term(i).0).sum();
-    prod(set, |i| {
-        let (weight, price) = term(i);
-        price.pow(weight / total)
-    })
-}
+#[allow(dead_code, unreachable_pub, reason = "the example is included whole")]
+#[path = "../../examples/cge_tax.rs"]
+mod cge_tax;
 
 mcp! {
     /// Y = CES(VA(factors), intermediates) with an output tax.
@@ -137,7 +104,7 @@ fn at_rent(rent: f64, tax: [f64; 2]) -> (Reference, f64) {
     let factor = [1.0, rent];
     let cva: [f64; 2] =
         std::array::from_fn(|s| unit_ces(SVA[s], [0, 1].map(|f| (FD0[f][s] / VA0[s], factor[f]))));
-    let mut p = [1.0; 2];
+    let mut p = [1.0_f64; 2];
     let (mut cin, mut cy) = ([1.0; 2], [1.0; 2]);
     for _ in 0..2000 {
         for s in 0..2 {
@@ -168,6 +135,17 @@ fn at_rent(rent: f64, tax: [f64; 2]) -> (Reference, f64) {
     (Reference { p, y, rent, gov }, FBAR[1] - capital)
 }
 
+/// The equilibrium at these taxes: the rent by bisection.
+fn reference(tax: [f64; 2]) -> Reference {
+    let (mut low, mut high) = (0.2, 5.0);
+    for _ in 0..100 {
+        let middle = 0.5 * (low + high);
+        // A higher rent leaves capital over.
+        if at_rent(middle, tax).1 < 0.0 { low = middle } else { high = middle }
+    }
+    at_rent(0.5 * (low + high), tax).0
+}
+
 #[test]
 fn a_tax_on_one_sector_moves_prices_as_in_an_independent_computation() {
     let tax = [0.1, 0.3];
@@ -176,13 +154,7 @@ fn a_tax_on_one_sector_moves_prices_as_in_an_independent_computation() {
     let solution = solve(&model, &Options::default()).unwrap().solved().unwrap();
     let view = model.view(&solution).unwrap();
 
-    let (mut low, mut high) = (0.2, 5.0);
-    for _ in 0..100 {
-        let middle = 0.5 * (low + high);
-        // A higher rent leaves capital over.
-        if at_rent(middle, tax).1 < 0.0 { low = middle } else { high = middle }
-    }
-    let (reference, _) = at_rent(0.5 * (low + high), tax);
+    let reference = reference(tax);
     for (s, sector) in ["agriculture", "manufacturing"].into_iter().enumerate() {
         assert!((view.p[sector] - reference.p[s]).abs() < 1e-8);
         assert!((view.y[sector] - reference.y[s]).abs() < 1e-8);
@@ -194,4 +166,21 @@ fn a_tax_on_one_sector_moves_prices_as_in_an_independent_computation() {
     // Walras: the labour market, whose equation is dropped because its price is fixed, clears too.
     assert!(solution.marginal("pf[labor]").unwrap().abs() < 1e-8);
     assert!(view.welfare < 1.0);
+}
+
+#[test]
+fn the_example_reports_the_changes_of_the_independent_computation() {
+    let (before, after) = (reference([TAX, TAX]), reference([TAX, cge_tax::TAX]));
+    let percent = |before: f64, after: f64| 100.0 * (after / before - 1.0);
+    let expected = [
+        percent(before.p[0], after.p[0]),
+        percent(before.p[1], after.p[1]),
+        percent(before.rent, after.rent),
+        percent(before.y[0], after.y[0]),
+        percent(before.y[1], after.y[1]),
+        percent(before.gov, after.gov),
+    ];
+    for ((name, stated), expected) in cge_tax::CHANGES.into_iter().zip(expected) {
+        assert!((stated - expected).abs() < 5e-5, "{name}: {stated} {expected}");
+    }
 }

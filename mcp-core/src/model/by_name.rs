@@ -103,14 +103,23 @@ impl Shape {
         Ok(())
     }
 
+    /// Changes a parameter, or all of a family, to one value.
+    ///
+    /// # Errors
+    /// As [`set_parameter`](Self::set_parameter), whatever the number of elements.
+    pub fn fill_parameter(&mut self, name: &str, value: f64) -> Result<(), ModelError> {
+        let count = elements("parameter", self.parameters(), name)?.len();
+        self.set_parameter(name, &vec![value; count])
+    }
+
     /// The variables a name stands for: one, or all of a family.
-    fn range_of(&self, name: &str) -> Result<Range<usize>, ModelError> {
+    pub(crate) fn range_of(&self, name: &str) -> Result<Range<usize>, ModelError> {
         elements("variable", self.variables(), name)
     }
 }
 
 /// The elements a name stands for, among those of all families: one, or all of a family.
-fn elements(
+pub(super) fn elements(
     kind: &'static str,
     families: &[Family],
     name: &str,

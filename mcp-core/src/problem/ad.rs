@@ -115,6 +115,15 @@ impl<M: Model> AdProblem<M> {
         Arc::make_mut(&mut self.shape).set_parameter(name, values)
     }
 
+    /// Changes a parameter, or all of a family, of this problem to one value:
+    /// [`Shape::fill_parameter`].
+    ///
+    /// # Errors
+    /// As [`Shape::fill_parameter`].
+    pub fn fill_parameter(&mut self, name: &str, value: f64) -> Result<(), ModelError> {
+        Arc::make_mut(&mut self.shape).fill_parameter(name, value)
+    }
+
     /// Changes the start of this problem: [`Shape::set_start`].
     ///
     /// # Errors

@@ -1,5 +1,6 @@
 //! Numbers, names and aligned columns as text.
 
+use std::fmt;
 use std::io::{self, Write};
 use std::ops::RangeInclusive;
 
@@ -45,7 +46,7 @@ pub(super) fn scientific(x: f64) -> String {
 
 /// Every digit needed to read the same number back; infinities as `inf` and `-inf`.
 #[cfg(feature = "serde")]
-pub(super) fn exact(x: f64) -> String {
+pub(crate) fn exact(x: f64) -> String {
     if x == 0.0 || !x.is_finite() {
         special(x)
     } else if (1e-5..1e16).contains(&x.abs()) {
@@ -117,7 +118,7 @@ pub(crate) fn clean(name: &str) -> String {
 
 /// Where the cells of a column stand.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Align {
+pub(crate) enum Align {
     /// Names and words.
     Left,
     /// Counts.
@@ -128,7 +129,7 @@ pub(super) enum Align {
 
 /// A table that aligns its columns by display width.
 #[derive(Debug, Default)]
-pub(super) struct Grid {
+pub(crate) struct Grid {
     columns: Vec<(String, Align)>,
     /// For each cell of a row, whether its column is shown.
     shown: Vec<bool>,
@@ -150,12 +151,12 @@ struct Extent {
 
 impl Grid {
     /// A table with these column headers.
-    pub(super) fn new<'a>(columns: impl IntoIterator<Item = (&'a str, Align)>) -> Self {
+    pub(crate) fn new<'a>(columns: impl IntoIterator<Item = (&'a str, Align)>) -> Self {
         Self::with_shown(columns.into_iter().map(|(header, align)| (header, align, true)))
     }
 
     /// A table with these column headers, of which only some are shown.
-    pub(super) fn with_shown<'a>(
+    pub(crate) fn with_shown<'a>(
         columns: impl IntoIterator<Item = (&'a str, Align, bool)>,
     ) -> Self {
         let mut grid = Grid { columns: Vec::new(), shown: Vec::new(), lines: Vec::new() };
@@ -167,7 +168,7 @@ impl Grid {
     }
 
     /// Adds a row: one cell for each column, shown or not.
-    pub(super) fn row(&mut self, cells: impl IntoIterator<Item = String>) {
+    pub(crate) fn row(&mut self, cells: impl IntoIterator<Item = String>) {
         let cells: Vec<String> = cells.into_iter().collect();
         debug_assert_eq!(cells.len(), self.shown.len());
         let shown = cells.iter().zip(&self.shown).filter(|(_, shown)| **shown);
@@ -176,12 +177,12 @@ impl Grid {
     }
 
     /// Adds a line of text that takes no part in the alignment.
-    pub(super) fn note(&mut self, text: String) {
+    pub(crate) fn note(&mut self, text: String) {
         self.lines.push(Line::Note(text));
     }
 
     /// Writes header and rows, indented by one space, columns two spaces apart.
-    pub(super) fn write(&self, out: &mut impl Write) -> io::Result<()> {
+    pub(crate) fn write(&self, out: &mut impl Write) -> io::Result<()> {
         let mut extents = vec![Extent::default(); self.columns.len()];
         for line in &self.lines {
             let Line::Cells(cells) = line else { continue };
@@ -207,6 +208,14 @@ impl Grid {
             }
         }
         Ok(())
+    }
+}
+
+impl fmt::Display for Grid {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut text = Vec::new();
+        self.write(&mut text).map_err(|_| fmt::Error)?;
+        f.write_str(&String::from_utf8_lossy(&text))
     }
 }
 

@@ -11,27 +11,34 @@ const LINE: usize = 100;
 
 impl Report {
     /// Writes a family with two index sets as a table, the first set down, the second across: levels
-    /// for a variable family, values of `F` for an equation family. Wide tables are cut into blocks
-    /// of about 100 characters; combinations that a sparse family does not have stay blank.
+    /// of a variable family, values of `F` of an equation family, values of reports or definitions.
+    /// Wide tables are cut into blocks of about 100 characters; combinations that a sparse family does
+    /// not have stay blank.
     ///
     /// # Errors
-    /// [`ReportError::Model`] for a name that no variable or equation family has,
-    /// [`ReportError::NotTwoDimensional`], [`ReportError::Io`].
+    /// [`ReportError::Model`] for a name that no family has, [`ReportError::NotTwoDimensional`],
+    /// [`ReportError::Io`].
     pub fn write_matrix(&self, family: &str, out: &mut impl Write) -> Result<(), ReportError> {
-        let shape = &self.shape;
+        let (shape, derived) = (&self.shape, &self.derived);
         let named = |f: &&Family| f.name() == family;
-        if let Some(family) = shape.variables().iter().find(named) {
-            let level = |k| self.solution.z[family.offset() + k];
-            return write_blocks(family, "level", level, out);
+        let columns = [
+            (shape.variables(), "level", &self.solution.z),
+            (shape.reports(), "value", &derived.reports),
+            (shape.definitions(), "value", &derived.definitions),
+        ];
+        for (families, what, values) in columns {
+            if let Some(family) = families.iter().find(named) {
+                return write_blocks(family, what, |k| values[family.offset() + k], out);
+            }
         }
         if let Some(family) = shape.equations().find(named) {
             let value = |k| self.solution.f[shape.variable_of_row(family.offset() + k)];
             return write_blocks(family, "F", value, out);
         }
-        let names = shape.variables().iter().map(Family::name);
-        let names = names.chain(shape.equations().map(Family::name));
+        let names = shape.variables().iter().chain(shape.equations());
+        let names = names.chain(shape.reports()).chain(shape.definitions()).map(Family::name);
         Err(ReportError::Model(ModelError::UnknownName {
-            kind: "variable or equation",
+            kind: "family",
             name: family.to_owned(),
             nearest: nearest(family, names),
         }))
@@ -181,7 +188,7 @@ cost[cities, cities]: F
         );
         assert_eq!(
             refused("profti").to_string(),
-            "there is no variable or equation `profti`; did you mean `profit`?"
+            "there is no family `profti`; did you mean `profit`?"
         );
         let error = report.write_matrix("x", &mut Broken { lines: 1 }).unwrap_err();
         assert!(matches!(error, ReportError::Io(_)));

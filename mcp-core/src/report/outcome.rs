@@ -102,6 +102,11 @@ impl Report {
         &self.solution
     }
 
+    /// Definitions and reports at the point, in the order of declaration.
+    pub fn derived_values(&self) -> &Derived {
+        &self.derived
+    }
+
     /// How far the point is from a solution, by six measures.
     pub fn statistics(&self) -> &Statistics {
         &self.statistics

@@ -234,7 +234,7 @@ pub fn logsumexp<D: Scalar, I: IntoIterator>(
 }
 
 /// 0 with zero tangents, which still depends on `x`: the pattern must not depend on the point.
-fn absent<D: Scalar>(x: D) -> D {
+pub(crate) fn absent<D: Scalar>(x: D) -> D {
     D::select(D::constant(-1.0), x, D::constant(0.0))
 }
 

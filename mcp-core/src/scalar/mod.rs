@@ -127,6 +127,7 @@ mod trace;
 
 pub use count::{Counted, OperationCounts, Tally};
 pub use external::external;
+pub(crate) use functions::absent;
 pub use functions::{Exponent, atan2, hypot, logsumexp, max, min, select, smooth_max, smooth_min};
 pub use jet::Jet;
 pub use magnitude::Magnitude;

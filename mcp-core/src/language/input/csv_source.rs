@@ -9,26 +9,26 @@ use std::path::{Path, PathBuf};
 
 /// A CSV file that is read when the data are needed, or the text of one.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum CsvSource {
+pub(crate) enum CsvSource {
     File(PathBuf),
     Text { name: String, text: String },
 }
 
 /// The header and the rows of a file; all rows are as long as the header.
 #[derive(Debug)]
-pub(super) struct Sheet {
-    pub(super) file: String,
-    pub(super) header: Vec<String>,
-    pub(super) header_line: u64,
-    pub(super) rows: Vec<(u64, StringRecord)>,
+pub(crate) struct Sheet {
+    pub(crate) file: String,
+    pub(crate) header: Vec<String>,
+    pub(crate) header_line: u64,
+    pub(crate) rows: Vec<(u64, StringRecord)>,
 }
 
 impl CsvSource {
-    pub(super) fn file(path: impl AsRef<Path>) -> Self {
+    pub(crate) fn file(path: impl AsRef<Path>) -> Self {
         CsvSource::File(path.as_ref().to_owned())
     }
 
-    pub(super) fn text(name: impl Into<String>, text: impl Into<String>) -> Self {
+    pub(crate) fn text(name: impl Into<String>, text: impl Into<String>) -> Self {
         CsvSource::Text { name: name.into(), text: text.into() }
     }
 
@@ -46,7 +46,7 @@ impl CsvSource {
         }
     }
 
-    pub(super) fn sheet(&self, data: &str) -> Result<Sheet, DataError> {
+    pub(crate) fn sheet(&self, data: &str) -> Result<Sheet, DataError> {
         let file = self.name();
         let unreadable = |reason: String| {
             let (data, file) = (data.to_owned(), file.clone());
@@ -74,11 +74,11 @@ impl CsvSource {
 }
 
 impl Sheet {
-    pub(super) fn place(&self, line: u64) -> Place {
+    pub(crate) fn place(&self, line: u64) -> Place {
         Place { file: self.file.clone(), line: Some(line) }
     }
 
-    pub(super) fn check_columns(
+    pub(crate) fn check_columns(
         &self,
         data: &str,
         allowed: bool,
@@ -89,6 +89,19 @@ impl Sheet {
         }
         let (found, place) = (self.header.len(), self.place(self.header_line));
         Err(DataError::Columns { data: data.to_owned(), expected: expected(), found, place })
+    }
+
+    /// The number in a cell.
+    pub(crate) fn number(
+        &self,
+        line: u64,
+        row: &StringRecord,
+        column: usize,
+    ) -> Result<f64, DataError> {
+        row[column].parse().map_err(|_| {
+            let (column, text) = (self.header[column].clone(), row[column].to_owned());
+            DataError::NotANumber { column, text, place: self.place(line) }
+        })
     }
 
     pub(super) fn into_rows(self, data: &str, columns: &Columns) -> Result<Rows, DataError> {

@@ -170,6 +170,18 @@ pub enum DataError {
         /// File and line.
         place: Place,
     },
+    /// No column of numbers has this header.
+    #[error(
+        "{place}: there is no column `{column}`{}", did_you_mean(.nearest.as_deref())
+    )]
+    NoColumn {
+        /// The header asked for.
+        column: String,
+        /// The nearest header.
+        nearest: Option<String>,
+        /// File and line.
+        place: Place,
+    },
     /// A cell is not a number.
     #[error("{place}, column `{column}`: `{text}` is not a number")]
     NotANumber {

@@ -23,6 +23,8 @@ mod positions;
 mod subset;
 mod table;
 
+#[cfg(feature = "serde")]
+pub(crate) use csv_source::{CsvSource, Sheet};
 pub use error::{DataError, Place};
 pub use labels::Labels;
 pub use map::LabelMap;

@@ -87,21 +87,29 @@ enum Form {
     Each(Vec<f64>),
     Rows(Vec<Vec<f64>>),
     Keyed(Vec<(Vec<String>, f64)>),
+    /// The file, and the header of the column with the numbers if it was named.
     #[cfg(feature = "serde")]
-    Csv(CsvSource),
+    Csv(CsvSource, Option<String>),
 }
 
 impl Table {
     /// The numbers of a CSV file, long or wide.
     #[cfg(feature = "serde")]
     pub fn csv(path: impl AsRef<Path>) -> Self {
-        Table(Form::Csv(CsvSource::file(path)))
+        Table(Form::Csv(CsvSource::file(path), None))
+    }
+
+    /// The numbers in one column of a CSV file, found by its header. Keys stand in the first columns, as
+    /// in a long file; other columns are ignored.
+    #[cfg(feature = "serde")]
+    pub fn csv_column(path: impl AsRef<Path>, column: impl Into<String>) -> Self {
+        Table(Form::Csv(CsvSource::file(path), Some(column.into())))
     }
 
     /// The numbers of a CSV text, long or wide; messages call the text `name`.
     #[cfg(feature = "serde")]
     pub fn csv_text(name: impl Into<String>, text: impl Into<String>) -> Self {
-        Table(Form::Csv(CsvSource::text(name, text)))
+        Table(Form::Csv(CsvSource::text(name, text), None))
     }
 
     /// The numbers of `table[sets]` in the sets' order, the last index running fastest.
@@ -116,7 +124,7 @@ impl Table {
             Form::Rows(rows) => target.nested(rows),
             Form::Keyed(entries) => target.keyed(entries),
             #[cfg(feature = "serde")]
-            Form::Csv(source) => target.csv(source),
+            Form::Csv(source, column) => target.csv(source, column.as_deref()),
         }
     }
 }
@@ -193,13 +201,13 @@ impl Target<'_> {
     }
 
     #[cfg(feature = "serde")]
-    fn csv(&self, source: &CsvSource) -> Result<Vec<f64>, DataError> {
+    fn csv(&self, source: &CsvSource, column: Option<&str>) -> Result<Vec<f64>, DataError> {
         let sheet = source.sheet(self.table)?;
         if self.sets.is_empty() && sheet.rows.len() != 1 {
             return Err(self.not_one_number(sheet.rows.len(), Some(&sheet.file)));
         }
         let mut entries = Entries::new(self.table, self.sets, self.len, Some(&sheet.file));
-        sheet::fill(&sheet, &mut entries)?;
+        sheet::fill(&sheet, column, &mut entries)?;
         entries.finish()
     }
 

@@ -2,6 +2,7 @@
 
 use super::entries::Entries;
 use crate::Set;
+use crate::error::nearest;
 use crate::language::input::DataError;
 use crate::language::input::csv_source::Sheet;
 use crate::language::input::positions::Positions;
@@ -16,9 +17,16 @@ struct Layout<'a> {
     width: usize,
 }
 
-/// Puts all numbers of a sheet into a table.
-pub(super) fn fill(sheet: &Sheet, entries: &mut Entries<'_>) -> Result<(), DataError> {
-    let layout = Layout::new(sheet, entries)?;
+/// Puts all numbers of a sheet, or those of the column with this header, into a table.
+pub(super) fn fill(
+    sheet: &Sheet,
+    column: Option<&str>,
+    entries: &mut Entries<'_>,
+) -> Result<(), DataError> {
+    let layout = match column {
+        Some(column) => Layout::named(sheet, entries, column)?,
+        None => Layout::new(sheet, entries)?,
+    };
     for (line, row) in &sheet.rows {
         let mut base = 0;
         for (positions, column) in &layout.keys {
@@ -27,7 +35,7 @@ pub(super) fn fill(sheet: &Sheet, entries: &mut Entries<'_>) -> Result<(), DataE
         }
         for &(column, i) in &layout.numbers {
             if !row[column].is_empty() {
-                let number = number(sheet, *line, column, &row[column])?;
+                let number = sheet.number(*line, row, column)?;
                 entries.put(base * layout.width + i, number, Some(*line))?;
             }
         }
@@ -45,6 +53,26 @@ impl<'a> Layout<'a> {
             }
         }
         Layout::long(sheet, entries)
+    }
+
+    /// A long file with several columns of numbers, of which one is named.
+    fn named(sheet: &Sheet, entries: &Entries<'a>, column: &str) -> Result<Self, DataError> {
+        let (sets, place) = (entries.sets, || sheet.place(sheet.header_line));
+        let numbers = sheet.header.iter().skip(sets.len());
+        let mut found = (sets.len()..).zip(numbers.clone()).filter(|(_, header)| *header == column);
+        match (found.next(), found.next()) {
+            (Some((number, _)), None) => {
+                Ok(Layout { keys: keys(sheet, sets), numbers: vec![(number, 0)], width: 1 })
+            }
+            (Some(_), Some(_)) => {
+                Err(DataError::DuplicateColumn { column: column.to_owned(), place: place() })
+            }
+            (None, _) => Err(DataError::NoColumn {
+                column: column.to_owned(),
+                nearest: nearest(column, numbers.map(String::as_str)),
+                place: place(),
+            }),
+        }
     }
 
     fn wide(
@@ -97,11 +125,4 @@ fn expected(sets: &[&Set]) -> String {
     };
     let numbers = format!("one column for each label of {}", last.name());
     format!("{long}; or {}", columns(others, &numbers))
-}
-
-fn number(sheet: &Sheet, line: u64, column: usize, text: &str) -> Result<f64, DataError> {
-    text.parse().map_err(|_| {
-        let (column, text) = (sheet.header[column].clone(), text.to_owned());
-        DataError::NotANumber { column, text, place: sheet.place(line) }
-    })
 }

@@ -236,3 +236,24 @@ proptest! {
         prop_assert!(resolve(&text, "eta", &[]).map_or(true, |numbers| numbers.len() == 1));
     }
 }
+
+#[test]
+fn a_column_of_several_is_found_by_its_header() {
+    let text = "plants,fuel,capacity,rate\nsan-diego,gas,600,2\nseattle,coal,350,x\n";
+    let plants = &sets()[0];
+    let column = |header: &str| {
+        let source = CsvSource::text("plants.csv", text);
+        let table = Table(Form::Csv(source, Some(header.to_owned())));
+        table.resolve("k", &[plants]).map_err(|error| error.to_string())
+    };
+    assert_eq!(column("capacity"), Ok(vec![350.0, 600.0]));
+    assert_eq!(
+        column("rate"),
+        Err("plants.csv, line 3, column `rate`: `x` is not a number".to_owned())
+    );
+    assert_eq!(
+        column("capacty"),
+        Err("plants.csv, line 1: there is no column `capacty`; did you mean `capacity`?".to_owned())
+    );
+    assert!(column("plants").is_err(), "keys are no numbers");
+}

@@ -1,0 +1,72 @@
+use super::*;
+use crate::model::{Equation, Reader, Set, Shape, Variable};
+use crate::scalar::{Real, Scalar};
+use crate::solver::{Options, solve};
+
+/// Two goods, endowments 1 and 2, half of the income `p₁ + 2 p₂ − leak` spent on each.
+struct Exchange {
+    shape: Shape,
+    leak: f64,
+}
+
+fn exchange(leak: f64) -> Exchange {
+    let goods = Set::new("goods", ["wheat", "iron"]).unwrap();
+    let shape = Shape::builder()
+        .variable(Variable::new("p").over(&[&goods]).lower(0.0).start(0.6))
+        .equation(Equation::new("market").over(&[&goods]).complements("p"))
+        .build()
+        .unwrap();
+    Exchange { shape, leak }
+}
+
+impl Model for Exchange {
+    fn shape(&self) -> &Shape {
+        &self.shape
+    }
+    fn row<D: Scalar>(&self, _: usize, index: usize, read: &Reader<'_, D>) -> Real<D> {
+        let income = read.var(0) + 2.0 * read.var(1) - self.leak;
+        (1.0 + index as f64) - 0.5 * income / read.var(index)
+    }
+}
+
+fn solved(leak: f64) -> WalrasCheck {
+    let mut model = exchange(leak);
+    model.shape.fix("p[wheat]", 1.0).unwrap();
+    let solution = solve(&model, &Options::default()).unwrap().solved().unwrap();
+    check_walras(&model, &solution).unwrap()
+}
+
+#[test]
+fn the_market_of_the_numeraire_clears() {
+    let check = solved(0.0);
+    assert_eq!(check.verdict(), Ok(()));
+    assert_eq!((check.dropped.len(), check.dropped[0].equation.as_str()), (1, "market[wheat]"));
+    assert!(
+        check.to_string().starts_with("p[wheat] is fixed; market[wheat], which was dropped, is ")
+    );
+}
+
+#[test]
+fn income_that_leaks_is_found() {
+    // Iron clears at p = (1 − leak)/2; of wheat (1 + 2p − leak)/2 = 1 − leak is demanded.
+    let check = solved(0.1);
+    assert!((check.dropped[0].f - 0.1).abs() < 1e-9);
+    let told = check.verdict().unwrap_err().to_string();
+    assert!(told.starts_with("the market of the numeraire does not clear: `market[wheat]` is "));
+}
+
+#[test]
+fn without_a_numeraire_all_prices_can_move_together() {
+    let model = exchange(0.0);
+    let solution = solve(&model, &Options::default()).unwrap();
+    let told = check_walras(&model, &solution).unwrap().verdict().unwrap_err().to_string();
+    assert!(told.starts_with("no price is fixed: all prices can move together"), "{told}");
+}
+
+#[test]
+fn a_solution_of_another_model_is_refused() {
+    let mut other = solve(&exchange(0.0), &Options::default()).unwrap();
+    other.z.pop();
+    let told = check_walras(&exchange(0.0), &other).unwrap_err().to_string();
+    assert_eq!(told, "the length of `solution` is 1, expected 2");
+}

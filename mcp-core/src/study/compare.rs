@@ -1,0 +1,246 @@
+//! [`compare`]: two answers side by side.
+
+use crate::error::ModelError;
+use crate::model::{Quantity, Shape};
+use crate::problem::Derived;
+use crate::report::Report;
+use crate::report::format::{Align, Grid, number};
+use crate::solver::Solution;
+use crate::study::SweepPoint;
+use std::collections::HashMap;
+use std::fmt;
+
+/// Rows of a table before the rest is only counted.
+const ROWS: usize = 50;
+
+/// Smaller relative changes are those of two solves of the same problem.
+const UNCHANGED: f64 = 1e-9;
+
+/// An answer whose numbers have names: a [`Solution`] has those of its variables, a [`Report`] and a
+/// [`SweepPoint`] also those of definitions and reports.
+pub trait Outcome {
+    /// The solution.
+    fn solution(&self) -> &Solution;
+    /// Definitions and reports, if they were evaluated.
+    fn derived(&self) -> Option<&Derived> {
+        None
+    }
+}
+
+impl Outcome for Solution {
+    fn solution(&self) -> &Solution {
+        self
+    }
+}
+
+impl Outcome for Report {
+    fn solution(&self) -> &Solution {
+        self.solution()
+    }
+    fn derived(&self) -> Option<&Derived> {
+        Some(self.derived_values())
+    }
+}
+
+impl Outcome for SweepPoint {
+    fn solution(&self) -> &Solution {
+        &self.solution
+    }
+    fn derived(&self) -> Option<&Derived> {
+        Some(&self.derived)
+    }
+}
+
+/// One number in two answers.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Change {
+    /// Its name, such as `p[iron]`.
+    pub name: String,
+    /// In the first answer.
+    pub before: f64,
+    /// In the second.
+    pub after: f64,
+    /// Unit of measure, possibly empty.
+    pub unit: String,
+}
+
+impl Change {
+    /// `after − before`, in the unit of the number.
+    pub fn absolute(&self) -> f64 {
+        self.after - self.before
+    }
+    /// `100 (after − before) / |before|`; 0 where nothing changes, `±inf` for a change from 0.
+    pub fn percent(&self) -> f64 {
+        if self.after == self.before { 0.0 } else { 100.0 * self.absolute() / self.before.abs() }
+    }
+    /// Whether the two differ by more than `1e-9` of the larger, which two solves of one problem do
+    /// not.
+    pub fn is_change(&self) -> bool {
+        !(self.absolute().abs() <= UNCHANGED * self.before.abs().max(self.after.abs()))
+    }
+}
+
+/// What [`compare`] found. `Display` is a table of what changed, the largest changes in percent first,
+/// at most 50.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Changes {
+    /// All numbers that both answers have, the largest change in percent first.
+    pub rows: Vec<Change>,
+    /// Names that only the first answer has.
+    pub only_before: Vec<String>,
+    /// Names that only the second has.
+    pub only_after: Vec<String>,
+}
+
+/// Compares two answers number by number: variables, and definitions and reports where both have
+/// them. They may be of different models; numbers of the same name belong together.
+///
+/// ```
+/// use mcp_core::{Options, mcp, solve};
+/// use mcp_core::study::compare;
+/// mcp! {
+///     model Market {
+///         data { a: f64 }
+///         param tax = 0.0;
+///         var p >= 0.0 start 1.0;
+///         var q >= 0.0 start 1.0;
+///         eq supply: 2.0 + q - p                complements q;
+///         eq demand: q + p + tax - a            complements p;
+///     }
+/// }
+/// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+/// let mut model = Market::builder().a(10.0).build()?;
+/// let benchmark = solve(&model, &Options::default())?.solved()?;
+/// model.set_parameter("tax", &[2.0])?;
+/// let taxed = solve(&model, &Options::default())?.solved()?;
+/// let changes = compare(&benchmark, &taxed);
+/// assert_eq!(changes.rows[0].name, "q"); // from 4 to 3
+/// assert!((changes.rows[0].percent() + 25.0).abs() < 1e-7);
+/// assert!((changes.get("p")?.percent() + 100.0 / 6.0).abs() < 1e-7);
+/// # Ok(())
+/// # }
+/// ```
+pub fn compare(before: &impl Outcome, after: &impl Outcome) -> Changes {
+    let (first, second) = (numbers(before), numbers(after));
+    let has_derived = |outcome: &dyn Outcome| outcome.derived().is_some();
+    let both = has_derived(before) && has_derived(after);
+    let counted = |numbers: Vec<Number>| -> Vec<Number> {
+        numbers.into_iter().filter(|number| both || number.is_variable).collect()
+    };
+    let (first, second) = (counted(first), counted(second));
+    let levels: HashMap<&str, f64> =
+        second.iter().map(|number| (number.name.as_str(), number.value)).collect();
+    let (mut rows, mut only_before) = (Vec::new(), Vec::new());
+    for Number { name, value: before, unit, .. } in &first {
+        match levels.get(name.as_str()) {
+            Some(&after) => {
+                let (name, unit) = (name.clone(), unit.clone());
+                rows.push(Change { name, before: *before, after, unit });
+            }
+            None => only_before.push(name.clone()),
+        }
+    }
+    let names: std::collections::HashSet<&str> =
+        first.iter().map(|number| number.name.as_str()).collect();
+    let is_new = |number: &&Number| !names.contains(number.name.as_str());
+    let only_after = second.iter().filter(is_new).map(|number| number.name.clone()).collect();
+    rows.sort_by(|a, b| b.percent().abs().total_cmp(&a.percent().abs()));
+    Changes { rows, only_before, only_after }
+}
+
+struct Number {
+    name: String,
+    value: f64,
+    unit: String,
+    is_variable: bool,
+}
+
+/// All numbers of an answer with their names.
+fn numbers(outcome: &dyn Outcome) -> Vec<Number> {
+    let (shape, z): (&Shape, _) = (&outcome.solution().shape, &outcome.solution().z);
+    let nothing = Derived::default();
+    let derived = outcome.derived().unwrap_or(&nothing);
+    let number = |quantity: Quantity| {
+        quantity.value(z, derived).map(|value| Number {
+            name: quantity.name(shape),
+            value: value + 0.0,
+            unit: quantity.family(shape).0.unit().to_owned(),
+            is_variable: matches!(quantity, Quantity::Variable(_)),
+        })
+    };
+    shape.all_quantities().filter_map(number).collect()
+}
+
+impl Changes {
+    /// The number of this name.
+    ///
+    /// # Errors
+    /// [`ModelError::UnknownName`] with the nearest name.
+    pub fn get(&self, name: &str) -> Result<&Change, ModelError> {
+        self.rows.iter().find(|row| row.name == name).ok_or_else(|| ModelError::UnknownName {
+            kind: "number",
+            name: name.to_owned(),
+            nearest: crate::error::nearest(name, self.rows.iter().map(|row| row.name.as_str())),
+        })
+    }
+
+    /// Writes all rows as CSV: `name, before, after, change, percent, unit`, with every digit.
+    ///
+    /// # Errors
+    /// [`ReportError`](crate::ReportError) of the writer.
+    #[cfg(feature = "serde")]
+    pub fn write_csv(&self, out: impl std::io::Write) -> Result<(), crate::ReportError> {
+        use crate::report::format::exact;
+        let mut csv = csv::Writer::from_writer(out);
+        csv.write_record(["name", "before", "after", "change", "percent", "unit"])?;
+        for row in &self.rows {
+            let numbers = [row.before, row.after, row.absolute(), row.percent()].map(exact);
+            let [before, after, change, percent] = &numbers;
+            csv.write_record([&row.name, before, after, change, percent, &row.unit])?;
+        }
+        Ok(csv.flush()?)
+    }
+}
+
+impl fmt::Display for Changes {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let changed: Vec<&Change> = self.rows.iter().filter(|row| row.is_change()).collect();
+        let units = changed.iter().any(|row| !row.unit.is_empty());
+        let mut grid = Grid::with_shown([
+            ("name", Align::Left, true),
+            ("before", Align::Point, true),
+            ("after", Align::Point, true),
+            ("change", Align::Point, true),
+            ("%", Align::Point, true),
+            ("unit", Align::Left, units),
+        ]);
+        for row in changed.iter().take(ROWS) {
+            let percent = if row.before == 0.0 { "new".to_owned() } else { percent(row.percent()) };
+            let [before, after, change] = [row.before, row.after, row.absolute()].map(number);
+            grid.row([row.name.clone(), before, after, change, percent, row.unit.clone()]);
+        }
+        if changed.len() > ROWS {
+            grid.note(format!("… and {} more", changed.len() - ROWS));
+        }
+        let unchanged = self.rows.len() - changed.len();
+        if unchanged > 0 {
+            grid.note(format!("unchanged: {unchanged}"));
+        }
+        for (what, names) in [("only before", &self.only_before), ("only after", &self.only_after)]
+        {
+            if !names.is_empty() {
+                grid.note(format!("{what}: {}", names.join(", ")));
+            }
+        }
+        grid.fmt(f)
+    }
+}
+
+/// Percent with sign and two decimals.
+pub(super) fn percent(x: f64) -> String {
+    if x.is_finite() { format!("{x:+.2}") } else { number(x) }
+}
+
+#[cfg(test)]
+#[path = "compare_tests.rs"]
+mod tests;

@@ -1,0 +1,95 @@
+use super::*;
+use crate::model::{Definition, Equation, Model, Reader, Set, Variable};
+use crate::problem::AdProblem;
+use crate::scalar::{Real, Scalar};
+use crate::solver::{Options, solve};
+
+/// `x_i = i + 1 + shift`, and their sum as a report.
+struct Levels {
+    shape: Shape,
+    shift: f64,
+}
+
+impl Model for Levels {
+    fn shape(&self) -> &Shape {
+        &self.shape
+    }
+    fn row<D: Scalar>(&self, _: usize, index: usize, read: &Reader<'_, D>) -> Real<D> {
+        read.var(index) - (index as f64 + self.shift)
+    }
+    fn report(&self, _: usize, _: usize, read: &Reader<'_, f64>) -> Real<f64> {
+        read.var(0) + read.var(1)
+    }
+}
+
+fn levels(labels: [&str; 2], shift: f64) -> Levels {
+    let goods = Set::new("goods", labels).unwrap();
+    let shape = Shape::builder()
+        .variable(Variable::new("x").over(&[&goods]).unit("t"))
+        .equation(Equation::new("f").over(&[&goods]).complements("x"))
+        .report(Definition::new("total").unit("t"))
+        .build()
+        .unwrap();
+    Levels { shape, shift }
+}
+
+fn report(model: &Levels) -> Report {
+    let solution = solve(model, &Options::default()).unwrap().solved().unwrap();
+    Report::new(&mut AdProblem::new(model).unwrap(), &solution).unwrap()
+}
+
+#[test]
+fn the_largest_change_in_percent_comes_first() {
+    let changes = compare(&report(&levels(["a", "b"], 1.0)), &report(&levels(["a", "b"], 1.5)));
+    let names: Vec<&str> = changes.rows.iter().map(|row| row.name.as_str()).collect();
+    assert_eq!(names, ["x[a]", "total", "x[b]"]);
+    assert!((changes.get("total").unwrap().percent() - 100.0 / 3.0).abs() < 1e-9);
+    assert_eq!(
+        changes.to_string(),
+        " name   before  after  change       %  unit\n \
+         x[a]        1    1.5     0.5  +50.00  t\n \
+         total       3    4       1    +33.33  t\n \
+         x[b]        2    2.5     0.5  +25.00  t\n"
+    );
+}
+
+#[test]
+fn what_does_not_change_is_counted_and_zero_has_no_percentage() {
+    let changes = compare(&report(&levels(["a", "b"], 0.0)), &report(&levels(["a", "b"], 0.0)));
+    assert_eq!(changes.to_string().lines().last(), Some(" unchanged: 3"));
+    let changes = compare(&report(&levels(["a", "b"], 0.0)), &report(&levels(["a", "b"], 1.0)));
+    assert_eq!(changes.rows[0].name, "x[a]");
+    assert!(changes.to_string().contains("new"), "{changes}");
+    let fall = Change { name: "y".into(), before: -2.0, after: -3.0, unit: String::new() };
+    assert_eq!(fall.percent(), -50.0);
+}
+
+#[test]
+fn numbers_of_one_side_only_are_listed() {
+    let changes = compare(&report(&levels(["a", "b"], 1.0)), &report(&levels(["b", "c"], 1.0)));
+    assert_eq!(
+        (changes.only_before.join(" "), changes.only_after.join(" ")),
+        ("x[a]".into(), "x[c]".into())
+    );
+    assert!(changes.to_string().ends_with(" only before: x[a]\n only after: x[c]\n"), "{changes}");
+}
+
+#[test]
+fn solutions_have_variables_only() {
+    let [one, two] = [1.0, 2.0].map(|shift| report(&levels(["a", "b"], shift)));
+    let changes = compare(one.solution(), &two);
+    assert_eq!(changes.rows.len(), 2);
+    assert_eq!(changes.get("totl").unwrap_err().to_string(), "there is no number `totl`");
+    assert!(changes.only_after.is_empty());
+}
+
+#[cfg(feature = "serde")]
+#[test]
+fn csv_has_every_row() {
+    let changes = compare(&report(&levels(["a", "b"], 1.0)), &report(&levels(["a", "b"], 1.0)));
+    let mut out = Vec::new();
+    changes.write_csv(&mut out).unwrap();
+    let text = String::from_utf8(out).unwrap();
+    assert!(text.starts_with("name,before,after,change,percent,unit\n"));
+    assert_eq!(text.lines().count(), 4);
+}
