@@ -162,7 +162,8 @@ pub fn main() -> Result<(), Box<dyn Error>> {
     lines.step_by(5).for_each(|line| println!("{line}"));
     let target = Path::new(env!("CARGO_MANIFEST_DIR")).join("target");
     table.write_csv(File::create(target.join("cge_tax.csv"))?)?;
-    table.in_percent().write_svg(target.join("cge_tax.svg"))?;
+    let relative = sweep.of(&["p", "pf[capital]", "welfare"])?.in_percent();
+    relative.write_svg(target.join("cge_tax.svg"))?;
     println!("every point: target/cge_tax.csv; picture: target/cge_tax.svg");
     Ok(())
 }

@@ -8,6 +8,20 @@ use std::path::Path;
 /// Size of the picture in pixels.
 const SIZE: (u32, u32) = (900, 540);
 
+/// Font and its size in pixels.
+const FONT: (&str, u32) = ("sans-serif", 15);
+
+/// Colors that also the color-blind can tell apart: Okabe and Ito.
+const COLORS: [RGBColor; 7] = [
+    RGBColor(0, 114, 178),
+    RGBColor(213, 94, 0),
+    RGBColor(0, 158, 115),
+    RGBColor(204, 121, 167),
+    RGBColor(230, 159, 0),
+    RGBColor(86, 180, 233),
+    RGBColor(0, 0, 0),
+];
+
 /// Part of the range that is left free above and below the lines.
 const MARGIN: f64 = 0.05;
 
@@ -67,6 +81,8 @@ impl SweepTable {
             .configure_mesh()
             .light_line_style(TRANSPARENT)
             .bold_line_style(BLACK.mix(0.1))
+            .label_style(FONT)
+            .axis_desc_style(FONT)
             .x_desc(&self.parameter)
             .y_desc(self.vertical_axis())
             .x_label_formatter(&label)
@@ -78,8 +94,7 @@ impl SweepTable {
             chart.draw_series(LineSeries::new(mark, BLACK.mix(0.35))).map_err(failed)?;
         }
         for (k, (name, points)) in lines.into_iter().enumerate() {
-            let color = Palette99::pick(k).to_rgba();
-            let style = color.stroke_width(2);
+            let style = COLORS[k % COLORS.len()].stroke_width(2);
             chart
                 .draw_series(LineSeries::new(points, style))
                 .map_err(failed)?
@@ -88,6 +103,7 @@ impl SweepTable {
         }
         chart
             .configure_series_labels()
+            .label_font(FONT)
             .background_style(WHITE.mix(0.85))
             .border_style(BLACK.mix(0.3))
             .position(SeriesLabelPosition::UpperLeft)
