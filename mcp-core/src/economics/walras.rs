@@ -3,11 +3,22 @@
 use crate::error::ModelError;
 use crate::model::{BoundKind, Model};
 use crate::problem::{AdProblem, Problem};
+use crate::report::State;
 use crate::solver::Solution;
+use nalgebra::DMatrix;
 use std::fmt;
 
 /// A dropped equation holds to this part of its terms.
 const TOLERANCE: f64 = 1e-8;
+
+/// Most variables for which singular values are computed.
+const MOST_VARIABLES: usize = 500;
+
+/// A singular value this small, with rows of sum 1 and columns in units of the levels, is 0.
+const SINGULAR: f64 = 1e-9;
+
+/// Entries of a null vector that are equal to this part move in proportion.
+const PROPORTIONAL: f64 = 1e-5;
 
 /// What [`check_walras`] found: every equation that was dropped because its variable is fixed.
 /// `Display` is one line for each.
@@ -15,6 +26,9 @@ const TOLERANCE: f64 = 1e-8;
 pub struct WalrasCheck {
     /// The dropped equations.
     pub dropped: Vec<Dropped>,
+    /// Variables that can move together in proportion, and all equations still hold: without
+    /// numeraire, all prices and incomes. Up to 500 variables are searched for them.
+    pub movable: Vec<String>,
 }
 
 /// An equation that was dropped because its variable, the numeraire, is fixed.
@@ -34,12 +48,18 @@ pub struct Dropped {
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum NoWalras {
-    /// No variable with an equation is fixed, so none was dropped.
+    /// Prices can move together.
     #[error(
-        "no price is fixed: all prices can move together, so fix one, such as \
-         `fix p[labor] = 1.0;` in the model or `model.fix(\"p[labor]\", 1.0)?`"
+        "all prices can move together: fix one; {} keep their equations when they grow in proportion",
+        .names.join(", ")
     )]
-    NoNumeraire,
+    NoNumeraire {
+        /// The variables that can.
+        names: Vec<String>,
+    },
+    /// No equation was dropped, and prices cannot move together.
+    #[error("no variable with an equation is fixed, so no equation was dropped")]
+    NothingDropped,
     /// A dropped equation does not hold.
     #[error(
         "the market of the numeraire does not clear: `{}` is {:e}, {:.1e} of its terms; a payment is \
@@ -53,8 +73,10 @@ pub enum NoWalras {
 ///
 /// In an economy where every payment is somebody's receipt the value of all excess supplies is 0 at
 /// any prices (Walras' law), so one market clears if all others do: the numeraire's, whose equation
-/// is dropped. If it does not, a payment is missing somewhere in the model. The parameters are those of
-/// the solve. Cost: one evaluation of `F` and `J`.
+/// is dropped. If it does not, a payment is missing somewhere in the model. Without numeraire the
+/// Jacobian is singular: a null vector that is proportional to the levels tells which variables can
+/// move together. The parameters are those of the solve. Cost: one evaluation of `F` and `J`, and for
+/// at most 500 variables one singular value decomposition.
 ///
 /// # Errors
 /// [`ModelError::Length`] for a solution with another number of variables, and as
@@ -89,19 +111,72 @@ fn dropped(problem: &mut dyn Problem, solution: &Solution) -> WalrasCheck {
         let (variable, equation) = (shape.variable_name(i), shape.equation_name(i));
         Dropped { variable, equation, f: f[i], relative }
     };
-    WalrasCheck { dropped: (0..z.len()).filter(is_dropped).map(check).collect() }
+    let movable = movable(problem, solution, &jac);
+    WalrasCheck { dropped: (0..z.len()).filter(is_dropped).map(check).collect(), movable }
+}
+
+/// Variables between their bounds whose common growth leaves all their equations as they are: the
+/// null vector of `J_ij z_j / s_i`, `s_i = Σ_j |J_ij z_j|`, if its entries are equal or 0.
+fn movable(problem: &dyn Problem, solution: &Solution, jac: &[f64]) -> Vec<String> {
+    let (shape, z) = (&solution.shape, &solution.z);
+    let state = |i: usize| State::new(shape.bounds(), i, z[i], solution.f[i]);
+    let between: Vec<usize> =
+        (0..z.len()).filter(|&i| matches!(state(i), State::Interior | State::Free)).collect();
+    let n = between.len();
+    if n > MOST_VARIABLES {
+        return Vec::new();
+    }
+    let mut place = vec![None; z.len()];
+    for (k, &i) in between.iter().enumerate() {
+        place[i] = Some(k);
+    }
+    let mut scaled = DMatrix::zeros(n, n);
+    for (k, i, j) in problem.pattern().entries() {
+        if let Some(at) = place[i].zip(place[j]) {
+            scaled[at] = jac[k] * z[j];
+        }
+    }
+    for mut row in scaled.row_iter_mut() {
+        let sum: f64 = row.iter().map(|entry| entry.abs()).sum();
+        if sum > 0.0 {
+            row /= sum;
+        }
+    }
+    let Some(null) = null_vector(scaled) else { return Vec::new() };
+    let near = |k: usize, to: f64| (null[k] - to).abs() <= PROPORTIONAL;
+    if !(0..n).all(|k| near(k, 1.0) || near(k, 0.0)) {
+        return Vec::new();
+    }
+    (0..n).filter(|&k| near(k, 1.0)).map(|k| shape.variable_name(between[k])).collect()
+}
+
+/// A vector that a square matrix takes to 0, with 1 as its largest entry, if there is one.
+fn null_vector(matrix: DMatrix<f64>) -> Option<Vec<f64>> {
+    if matrix.is_empty() || !matrix.iter().all(|entry| entry.is_finite()) {
+        return None;
+    }
+    let svd = matrix.svd(false, true);
+    let (smallest, &value) =
+        svd.singular_values.iter().enumerate().min_by(|a, b| a.1.total_cmp(b.1))?;
+    let right = svd.v_t?;
+    let null = right.row(smallest);
+    let largest = null.iter().copied().max_by(|a, b| a.abs().total_cmp(&b.abs()))?;
+    (value <= SINGULAR).then(|| null.iter().map(|entry| entry / largest).collect())
 }
 
 impl WalrasCheck {
     /// Whether all dropped equations hold, to `1e-8` of their terms.
     ///
     /// # Errors
-    /// [`NoWalras::NoNumeraire`] if no equation was dropped, [`NoWalras::Gap`] for the one that holds
-    /// worst.
+    /// [`NoWalras::NoNumeraire`] if prices can move together, [`NoWalras::NothingDropped`],
+    /// [`NoWalras::Gap`] for the dropped equation that holds worst.
     pub fn verdict(&self) -> Result<(), NoWalras> {
+        if !self.movable.is_empty() {
+            return Err(NoWalras::NoNumeraire { names: self.movable.clone() });
+        }
         let worst = self.dropped.iter().max_by(|a, b| a.relative.total_cmp(&b.relative));
         match worst {
-            None => Err(NoWalras::NoNumeraire),
+            None => Err(NoWalras::NothingDropped),
             Some(worst) if worst.relative <= TOLERANCE => Ok(()),
             Some(worst) => Err(NoWalras::Gap(worst.clone())),
         }
@@ -116,6 +191,9 @@ impl fmt::Display for WalrasCheck {
                 "{variable} is fixed; {equation}, which was dropped, is {value:.1e}, \
                  {relative:.1e} of its terms"
             )?;
+        }
+        if !self.movable.is_empty() {
+            writeln!(f, "these can move together: {}", self.movable.join(", "))?;
         }
         Ok(())
     }

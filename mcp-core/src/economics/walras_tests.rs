@@ -1,7 +1,7 @@
 use super::*;
 use crate::model::{Equation, Reader, Set, Shape, Variable};
 use crate::scalar::{Real, Scalar};
-use crate::solver::{Options, solve};
+use crate::solver::{Options, solve, solve_from};
 
 /// Two goods, endowments 1 and 2, half of the income `p₁ + 2 p₂ − leak` spent on each.
 struct Exchange {
@@ -58,9 +58,23 @@ fn income_that_leaks_is_found() {
 #[test]
 fn without_a_numeraire_all_prices_can_move_together() {
     let model = exchange(0.0);
-    let solution = solve(&model, &Options::default()).unwrap();
+    let solution = solve_from(&model, &[1.0, 0.51], &Options::default()).unwrap();
     let told = check_walras(&model, &solution).unwrap().verdict().unwrap_err().to_string();
-    assert!(told.starts_with("no price is fixed: all prices can move together"), "{told}");
+    assert_eq!(
+        told,
+        "all prices can move together: fix one; p[wheat], p[iron] keep their equations when they grow \
+         in proportion"
+    );
+}
+
+#[test]
+fn money_that_is_fixed_in_the_model_is_a_numeraire_of_its_own() {
+    let model = exchange(0.1);
+    let mut other = exchange(0.1);
+    other.shape.fix("p[wheat]", 1.0).unwrap();
+    let solution = solve(&other, &Options::default()).unwrap();
+    let verdict = check_walras(&model, &solution).unwrap().verdict();
+    assert!(matches!(verdict, Err(NoWalras::Gap(_))), "{verdict:?}");
 }
 
 #[test]
