@@ -27,7 +27,7 @@ pub struct Homogeneity {
 }
 
 /// An equation that is not homogeneous.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[derive(Clone, PartialEq, Eq, thiserror::Error)]
 #[error(
     "equation `{equation}` is not homogeneous in {}: it reads something in units of money that does \
      not move with them",
@@ -38,6 +38,13 @@ pub struct NotHomogeneous {
     pub equation: String,
     /// The variables that were scaled together.
     pub names: Vec<String>,
+}
+
+/// As [`Display`](fmt::Display): what `main` prints of an error it returns.
+impl fmt::Debug for NotHomogeneous {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
+    }
 }
 
 /// Whether every equation is homogeneous in the named variables together, whatever the others:

@@ -45,7 +45,7 @@ pub struct Dropped {
 }
 
 /// Why Walras' law does not hold.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[derive(Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum NoWalras {
     /// Prices can move together.
@@ -67,6 +67,13 @@ pub enum NoWalras {
         .0.equation, .0.f, .0.relative
     )]
     Gap(Dropped),
+}
+
+/// As [`Display`](fmt::Display): what `main` prints of an error it returns.
+impl fmt::Debug for NoWalras {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
+    }
 }
 
 /// Whether the equations that were dropped for fixed variables hold at a solution.
@@ -120,8 +127,9 @@ fn dropped(problem: &mut dyn Problem, solution: &Solution) -> WalrasCheck {
 fn movable(problem: &dyn Problem, solution: &Solution, jac: &[f64]) -> Vec<String> {
     let (shape, z) = (&solution.shape, &solution.z);
     let state = |i: usize| State::new(shape.bounds(), i, z[i], solution.f[i]);
-    let between: Vec<usize> =
-        (0..z.len()).filter(|&i| matches!(state(i), State::Interior | State::Free)).collect();
+    let is_between = |&i: &usize| matches!(state(i), State::Interior | State::Free);
+    // What is 0 stays 0 when it grows in proportion.
+    let between: Vec<usize> = (0..z.len()).filter(|&i| z[i] != 0.0).filter(is_between).collect();
     let n = between.len();
     if n > MOST_VARIABLES {
         return Vec::new();
