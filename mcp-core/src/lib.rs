@@ -61,6 +61,7 @@ extern crate self as mcp_core;
 #[doc(hidden)]
 #[path = "private.rs"]
 pub mod __private;
+mod apart;
 pub mod economics;
 pub mod error;
 pub mod globalise;

@@ -1,282 +1,386 @@
 //! What the code that `mcp!` generates calls while a model is built.
 
-use super::input::{DataError, Labels, Table};
+use super::given::{Given, Input};
+use super::input::{DataError, LabelMap, LabelPairs, LabelSubset, Labels, Table};
 use super::layout::{At, Layout};
+use crate::apart::Apart;
 use crate::error::ModelError;
 use crate::model::{Definition, Equation, Parameter, Set, Shape, ShapeBuilder, Variable};
-use crate::scalar::{Real, Scalar};
+use std::fmt;
 use std::mem::take;
 
-/// What an equation, a definition or a report may be.
-#[diagnostic::on_unimplemented(
-    message = "expected a number, found `{Self}`",
-    label = "not a number",
-    note = "an equation, a definition or a report is one number: an expression of variables and data"
-)]
-pub trait Expression<D: Scalar> {
-    /// The number in the engine's arithmetic.
-    fn real(self) -> Real<D>;
-}
-
-macro_rules! expression {
-    ($($T:ty),*) => { $(
-        #[diagnostic::do_not_recommend]
-        impl<D: Scalar> Expression<D> for $T {
-            #[inline]
-            fn real(self) -> Real<D> {
-                Real::from(self)
-            }
-        }
-    )* };
-}
-
-expression!(f64, &f64, i32);
-
-/// Counts and positions.
-#[diagnostic::do_not_recommend]
-impl<D: Scalar> Expression<D> for usize {
-    #[inline]
-    fn real(self) -> Real<D> {
-        Real::from(self as f64)
-    }
-}
-
-#[diagnostic::do_not_recommend]
-impl<D: Scalar> Expression<D> for Real<D> {
-    #[inline]
-    fn real(self) -> Real<D> {
-        self
-    }
-}
-
-/// The value of an expression.
-#[inline]
-pub fn expression<D: Scalar>(value: impl Expression<D>) -> Real<D> {
-    value.real()
-}
-
-/// A field of the data.
-///
-/// # Errors
-/// [`DataError::NotGiven`] names it.
-pub fn required<T>(name: &str, value: Option<T>) -> Result<T, ModelError> {
-    value.ok_or_else(|| DataError::NotGiven { name: name.to_owned() }.into())
-}
-
-/// A number of the data.
-///
-/// # Errors
-/// [`DataError::NotGiven`], [`DataError::Nan`].
-pub fn scalar(name: &str, value: Option<f64>) -> Result<f64, ModelError> {
-    let value = required(name, value)?;
-    if value.is_nan() {
-        return Err(DataError::Nan { key: name.to_owned(), place: None }.into());
-    }
-    Ok(value)
-}
-
-/// A table of the data.
-///
-/// # Errors
-/// [`DataError::NotGiven`] and those of [`Table::resolve`].
-pub fn table(name: &str, sets: &[&Set], given: &Option<Table>) -> Result<Layout, ModelError> {
-    let values = required(name, given.as_ref())?.resolve(name, sets)?;
-    Ok(Layout::new(name, sets)?.with_values(values))
-}
-
-/// The labels of a set.
-///
-/// # Errors
-/// [`DataError::NotGiven`] and those of [`Labels::into_set`].
-pub fn labels(name: &str, given: Option<Labels>) -> Result<Set, ModelError> {
-    Ok(required(name, given)?.into_set(name)?)
-}
-
 /// What a family is called and described by: name, description and unit.
-pub type Text<'a> = [&'a str; 3];
+pub type Text<'a> = &'a [&'a str; 3];
+
+/// A number for every element.
+pub type Each<'a> = &'a mut dyn FnMut(&At) -> f64;
 
 /// Which combinations there are: [`Assembly::variables`].
 pub type Condition<'a> = &'a mut dyn FnMut(&At) -> bool;
 
-/// A model while it is put together: the shape so far, and how many elements it has.
+/// A model while it is put together: what was given, the shape so far, and the first thing that is
+/// wrong.
 ///
-/// Nothing here is generic: what a model compiles itself are the closures that read its data.
-#[derive(Debug, Default)]
-pub struct Assembly {
+/// Nothing here is generic: what a model compiles itself are the closures that read its data. They
+/// are not called after an error, which is told at the end: no line of the model's own returns it.
+pub struct Assembly(Apart<Parts>);
+
+#[derive(Default)]
+struct Parts {
+    given: Given,
     shape: ShapeBuilder,
     variables: usize,
     definitions: usize,
     parameters: usize,
-    /// Bounds and starts of the variable family at hand.
-    pub values: FamilyValues,
+    /// The variable family at hand, and its bounds and starts.
+    family: Option<Variable>,
+    values: FamilyValues,
+    error: Option<ModelError>,
+}
+
+impl fmt::Debug for Assembly {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Assembly").finish_non_exhaustive()
+    }
+}
+
+impl Default for Assembly {
+    fn default() -> Self {
+        Assembly(Apart::new(Parts::default()))
+    }
 }
 
 impl Assembly {
-    /// Lays a parameter family out and declares it; `values` are one for each combination.
+    /// What stands for the shape until it is made.
+    pub fn no_shape() -> Shape {
+        Shape::default()
+    }
+
+    /// Takes a field of the data, by its number.
+    pub fn give(&mut self, field: usize, input: impl Into<Input>) {
+        self.put(field, input.into());
+    }
+
+    fn put(&mut self, field: usize, input: Input) {
+        self.0.given.put(field, input);
+    }
+
+    /// The result, unless there was an error before.
+    fn attempt<T>(&mut self, make: impl FnOnce(&mut Parts) -> Result<T, ModelError>) -> Option<T> {
+        if self.0.error.is_some() {
+            return None;
+        }
+        make(&mut self.0).map_err(|error| self.0.error = Some(error)).ok()
+    }
+
+    /// The layout, unless there was an error before.
+    fn layout(&mut self, make: impl FnOnce(&mut Parts) -> Result<Layout, ModelError>) -> Layout {
+        self.attempt(make).unwrap_or(Layout::EMPTY)
+    }
+
+    /// A field of a type of the user's own.
     ///
     /// # Errors
-    /// [`ModelError::TooManyElements`].
+    /// The first that there was, or [`DataError::NotGiven`].
+    pub fn required<T>(&mut self, name: &str, value: Option<T>) -> Result<T, ModelError> {
+        match value {
+            Some(value) => self.so_far().map(|()| value),
+            None => Err(self.not_given(name)),
+        }
+    }
+
+    fn so_far(&mut self) -> Result<(), ModelError> {
+        self.0.error.take().map_or(Ok(()), Err)
+    }
+
+    fn not_given(&mut self, name: &str) -> ModelError {
+        self.so_far().err().unwrap_or_else(|| not_given(name))
+    }
+
+    /// A set.
+    pub fn set(&mut self, field: usize, name: &str) -> Set {
+        let set =
+            self.attempt(|parts| Ok(parts.required::<Labels>(field, name)?.into_set(name)?));
+        set.unwrap_or_else(|| Set::count(name, 0))
+    }
+
+    /// A set of as many elements as the text says.
+    pub fn count(&mut self, name: &str, elements: usize) -> Set {
+        let set = self.attempt(|_| Ok(Labels::from(elements).into_set(name)?));
+        set.unwrap_or_else(|| Set::count(name, 0))
+    }
+
+    /// A set with the labels of the text.
+    pub fn labels(&mut self, name: &str, labels: &[&str]) -> Set {
+        let set = self.attempt(|_| Set::new(name, labels.iter().copied()));
+        set.unwrap_or_else(|| Set::count(name, 0))
+    }
+
+    /// A subset, and the positions of its elements in the larger set.
+    pub fn subset(&mut self, field: usize, name: &str, larger: &Set) -> (Set, Vec<usize>) {
+        let subset = self.attempt(|parts| {
+            let positions = parts.required::<LabelSubset>(field, name)?.resolve(name, larger)?;
+            let labels = positions.iter().map(|&position| larger.label(position));
+            Ok((Set::new(name, labels)?, positions))
+        });
+        subset.unwrap_or_else(|| (Set::count(name, 0), Vec::new()))
+    }
+
+    /// A set of arcs, and the positions of their ends.
+    pub fn pairs(
+        &mut self,
+        field: usize,
+        name: &str,
+        [from, to]: [&Set; 2],
+    ) -> (Set, Vec<(usize, usize)>) {
+        let pairs = self.attempt(|parts| {
+            Ok(parts.required::<LabelPairs>(field, name)?.resolve(name, from, to)?)
+        });
+        pairs.unwrap_or_else(|| (Set::count(name, 0), Vec::new()))
+    }
+
+    /// A map, as the position to which every element is sent.
+    pub fn map(&mut self, field: usize, name: &str, [from, to]: [&Set; 2]) -> Vec<usize> {
+        let map = self.attempt(|parts| {
+            Ok(parts.required::<LabelMap>(field, name)?.resolve(name, from, to)?)
+        });
+        map.unwrap_or_default()
+    }
+
+    /// A number.
+    pub fn number(&mut self, field: usize, name: &str) -> f64 {
+        let number = self.attempt(|parts| {
+            let number: f64 = parts.required(field, name)?;
+            if number.is_nan() {
+                return Err(DataError::Nan { key: name.to_owned(), place: None }.into());
+            }
+            Ok(number)
+        });
+        number.unwrap_or(f64::NAN)
+    }
+
+    /// A table.
+    pub fn table(&mut self, field: usize, name: &str, sets: &[&Set]) -> Layout {
+        self.layout(|parts| {
+            let values = parts.required::<Table>(field, name)?.resolve(name, sets)?;
+            Ok(Layout::new(name, sets)?.with_values(values))
+        })
+    }
+
+    /// Lays a parameter family out and declares it, with what was given or else the values of the
+    /// text.
     pub fn parameter(
         &mut self,
-        [name, about, unit]: Text<'_>,
+        field: usize,
+        text: Text<'_>,
         sets: &[&Set],
-        values: Vec<f64>,
-    ) -> Result<Layout, ModelError> {
-        let mut layout = Layout::new(name, sets)?;
-        layout.offset = self.parameters;
-        self.parameters += values.len();
-        let family = Parameter::new(name, values.clone()).over(sets).about(about).unit(unit);
-        self.shape = take(&mut self.shape).parameter(family);
-        Ok(layout.with_values(values))
+        values: Option<Each<'_>>,
+    ) -> Layout {
+        let [name, about, unit] = *text;
+        self.layout(|parts| {
+            let values = match (parts.given.take::<Table>(field), values) {
+                (Some(table), _) => table.resolve(name, sets)?,
+                (None, Some(values)) => Layout::new(name, sets)?.each(values),
+                (None, None) => return Err(not_given(name)),
+            };
+            let mut layout = Layout::new(name, sets)?;
+            layout.offset = parts.parameters;
+            parts.parameters += values.len();
+            let family = Parameter::new(name, values.clone()).over(sets).about(about).unit(unit);
+            parts.shape = take(&mut parts.shape).parameter(family);
+            Ok(layout.with_values(values))
+        })
     }
 
-    /// Lays a variable family out, with all combinations or those that a condition keeps, and makes
-    /// its values free.
-    ///
-    /// # Errors
-    /// [`ModelError::TooManyElements`].
+    /// Lays a variable family out, with all combinations or those that a condition keeps, and
+    /// declares it free.
     pub fn variables(
         &mut self,
-        name: &str,
+        text: Text<'_>,
         sets: &[&Set],
         condition: Option<Condition<'_>>,
-    ) -> Result<Layout, ModelError> {
-        let mut layout = Layout::new(name, sets)?;
-        if let Some(condition) = condition {
-            let holds = |&dense: &usize| condition(&layout.split(dense));
-            let members: Vec<usize> = (0..layout.count).filter(holds).collect();
-            layout = layout.only(&members);
-        }
-        layout.offset = self.variables;
-        self.variables += layout.count;
-        self.values = FamilyValues::free(layout.count);
-        Ok(layout)
+    ) -> Layout {
+        let [name, about, unit] = *text;
+        self.layout(|parts| {
+            let mut layout = Layout::new(name, sets)?;
+            let mut family = Variable::new(name).about(about).unit(unit).over(sets);
+            if let Some(condition) = condition {
+                let holds = |&dense: &usize| condition(&layout.split(dense));
+                let members: Vec<usize> = (0..layout.count).filter(holds).collect();
+                layout = layout.only(&members);
+                family = family.only(members);
+            }
+            layout.offset = parts.variables;
+            parts.variables += layout.count;
+            parts.declare();
+            (parts.family, parts.values) = (Some(family), FamilyValues::free(layout.count));
+            Ok(layout)
+        })
     }
 
-    /// Declares the variable family that was laid out last, with the values at hand.
-    pub fn declare(&mut self, [name, about, unit]: Text<'_>, sets: &[&Set], layout: &Layout) {
-        let FamilyValues { lower, upper, start } = take(&mut self.values);
-        let mut family = Variable::new(name).about(about).unit(unit).over(sets);
-        if let Some(members) = layout.members() {
-            family = family.only(members.to_vec());
+    /// Lower bounds of the variable family at hand.
+    pub fn lower(&mut self, layout: &Layout, each: Each<'_>) {
+        if let Some(values) = self.attempt(|_| Ok(layout.each(each))) {
+            self.0.values.lower = values;
         }
-        self.shape = take(&mut self.shape).variable(family.lower(lower).upper(upper).start(start));
+    }
+
+    /// Upper bounds of the variable family at hand.
+    pub fn upper(&mut self, layout: &Layout, each: Each<'_>) {
+        if let Some(values) = self.attempt(|_| Ok(layout.each(each))) {
+            self.0.values.upper = values;
+        }
+    }
+
+    /// Starts of the variable family at hand.
+    pub fn start(&mut self, layout: &Layout, each: Each<'_>) {
+        if let Some(values) = self.attempt(|_| Ok(layout.each(each))) {
+            self.0.values.start = values;
+        }
     }
 
     /// Fixes elements of the variable family at hand: for each combination of `sets` one, where there
     /// is one. Without `sets` it must exist.
-    ///
-    /// # Errors
-    /// [`DataError::FixedAbsent`].
     pub fn fix(
         &mut self,
         name: &str,
         sets: &[&Set],
         place: &mut dyn FnMut(&At) -> (Option<usize>, f64),
-    ) -> Result<(), ModelError> {
-        let layout = Layout::new(name, sets)?;
-        for combination in 0..layout.count {
-            let (place, value) = place(&layout.split(combination));
-            if place.is_some() || sets.is_empty() {
-                self.values.fix(place, value, name)?;
+    ) {
+        self.attempt(|parts| {
+            let layout = Layout::new(name, sets)?;
+            for combination in 0..layout.count {
+                let (place, value) = place(&layout.split(combination));
+                if place.is_some() || sets.is_empty() {
+                    parts.values.fix(place, value, name)?;
+                }
             }
-        }
-        Ok(())
+            Ok(())
+        });
     }
 
     /// Lays a definition family out and declares it.
-    ///
-    /// # Errors
-    /// [`ModelError::TooManyElements`].
-    pub fn definition(
-        &mut self,
-        [name, about, unit]: Text<'_>,
-        sets: &[&Set],
-    ) -> Result<Layout, ModelError> {
-        let mut layout = Layout::new(name, sets)?;
-        layout.offset = self.definitions;
-        self.definitions += layout.count;
-        let family = Definition::new(name).about(about).unit(unit).over(sets);
-        self.shape = take(&mut self.shape).definition(family);
-        Ok(layout)
+    pub fn definition(&mut self, text: Text<'_>, sets: &[&Set]) -> Layout {
+        let [name, about, unit] = *text;
+        self.layout(|parts| {
+            let mut layout = Layout::new(name, sets)?;
+            layout.offset = parts.definitions;
+            parts.definitions += layout.count;
+            let family = Definition::new(name).about(about).unit(unit).over(sets);
+            parts.shape = take(&mut parts.shape).definition(family);
+            Ok(layout)
+        })
     }
 
     /// Lays a report family out and declares it.
-    ///
-    /// # Errors
-    /// [`ModelError::TooManyElements`].
-    pub fn report(
-        &mut self,
-        [name, about, unit]: Text<'_>,
-        sets: &[&Set],
-    ) -> Result<Layout, ModelError> {
-        let family = Definition::new(name).about(about).unit(unit).over(sets);
-        self.shape = take(&mut self.shape).report(family);
-        Layout::new(name, sets)
+    pub fn report(&mut self, text: Text<'_>, sets: &[&Set]) -> Layout {
+        let [name, about, unit] = *text;
+        self.layout(|parts| {
+            let family = Definition::new(name).about(about).unit(unit).over(sets);
+            parts.shape = take(&mut parts.shape).report(family);
+            Layout::new(name, sets)
+        })
     }
 
     /// Lays an equation family out and declares it: a row for each combination that `paired` gives
     /// an element of the variable family `variable`.
-    ///
-    /// # Errors
-    /// [`ModelError::TooManyElements`].
     pub fn equation(
         &mut self,
-        [name, about, unit]: Text<'_>,
+        text: Text<'_>,
         sets: &[&Set],
         variable: &str,
         paired: &mut dyn FnMut(&At) -> Option<usize>,
-    ) -> Result<Layout, ModelError> {
-        let mut layout = Layout::new(name, sets)?;
-        let (mut members, mut places) = (Vec::new(), Vec::new());
-        for combination in 0..layout.count {
-            if let Some(place) = paired(&layout.split(combination)) {
-                members.push(combination);
-                places.push(place);
-            }
-        }
-        let mut family = Equation::new(name).about(about).unit(unit).over(sets);
-        if members.len() < layout.count {
-            layout = layout.only(&members);
-            family = family.only(members);
-        }
-        self.shape = take(&mut self.shape).equation(family.complements_elements(variable, places));
-        Ok(layout)
+    ) -> Layout {
+        self.layout(|parts| {
+            let layout = Layout::new(text[0], sets)?;
+            let place = |combination| paired(&layout.split(combination));
+            Ok(parts.equation(text, sets, variable, &layout, place))
+        })
+    }
+
+    /// The same where each combination is paired with the element of the same combination.
+    pub fn equation_like(
+        &mut self,
+        text: Text<'_>,
+        sets: &[&Set],
+        variable: &str,
+        like: &Layout,
+    ) -> Layout {
+        self.layout(|parts| {
+            let layout = Layout::new(text[0], sets)?;
+            Ok(parts.equation(text, sets, variable, &layout, |combination| like.place(combination)))
+        })
     }
 
     /// The equation family of a lifted definition.
-    ///
-    /// # Errors
-    /// [`ModelError::TooManyElements`].
-    pub fn lifted(
-        &mut self,
-        [name, about, unit]: Text<'_>,
-        sets: &[&Set],
-        variable: &str,
-    ) -> Result<Layout, ModelError> {
-        let family = Equation::new(name).about(about).unit(unit).over(sets);
-        self.shape = take(&mut self.shape).equation(family.complements(variable));
-        Layout::new(variable, sets)
+    pub fn lifted(&mut self, text: Text<'_>, sets: &[&Set], variable: &str) -> Layout {
+        let [name, about, unit] = *text;
+        self.layout(|parts| {
+            let family = Equation::new(name).about(about).unit(unit).over(sets);
+            parts.shape = take(&mut parts.shape).equation(family.complements(variable));
+            Layout::new(variable, sets)
+        })
     }
 
     /// The shape of everything that was declared.
     ///
     /// # Errors
-    /// As [`ShapeBuilder::build`].
-    pub fn build(self) -> Result<Shape, ModelError> {
-        self.shape.build()
+    /// The first of what was wrong, or as [`ShapeBuilder::build`].
+    pub fn finish(&mut self, shape: &mut Shape) -> Result<(), ModelError> {
+        self.so_far()?;
+        self.0.declare();
+        *shape = take(&mut self.0.shape).build()?;
+        Ok(())
+    }
+}
+
+fn not_given(name: &str) -> ModelError {
+    DataError::NotGiven { name: name.to_owned() }.into()
+}
+
+impl Parts {
+    /// A field of the data.
+    fn required<T: TryFrom<Input>>(&mut self, field: usize, name: &str) -> Result<T, ModelError> {
+        self.given.take(field).ok_or_else(|| not_given(name))
+    }
+
+    /// Declares the variable family at hand, if there is one.
+    fn declare(&mut self) {
+        if let Some(family) = self.family.take() {
+            let FamilyValues { lower, upper, start } = take(&mut self.values);
+            let family = family.lower(lower).upper(upper).start(start);
+            self.shape = take(&mut self.shape).variable(family);
+        }
+    }
+
+    /// Declares an equation family with a row for each combination that has a place.
+    fn equation(
+        &mut self,
+        &[name, about, unit]: Text<'_>,
+        sets: &[&Set],
+        variable: &str,
+        all: &Layout,
+        mut place: impl FnMut(usize) -> Option<usize>,
+    ) -> Layout {
+        let place = |combination| place(combination).map(|place| (combination, place));
+        let (members, places): (Vec<_>, Vec<_>) = (0..all.count).filter_map(place).unzip();
+        let (mut layout, mut family) =
+            (all.clone(), Equation::new(name).about(about).unit(unit).over(sets));
+        if members.len() < layout.count {
+            layout = layout.only(&members);
+            family = family.only(members);
+        }
+        self.shape = take(&mut self.shape).equation(family.complements_elements(variable, places));
+        layout
     }
 }
 
 /// Bounds and starts of a variable family, one for each element, while it is declared.
-#[derive(Debug, Default)]
-pub struct FamilyValues {
-    /// Lower bounds.
-    pub lower: Vec<f64>,
-    /// Upper bounds.
-    pub upper: Vec<f64>,
-    /// Starts.
-    pub start: Vec<f64>,
+#[derive(Default)]
+struct FamilyValues {
+    lower: Vec<f64>,
+    upper: Vec<f64>,
+    start: Vec<f64>,
 }
 
 impl FamilyValues {

@@ -34,25 +34,55 @@ fn families_stand_one_after_the_other() {
     let (two, three) = (Set::count("two", 2), Set::count("three", 3));
     let mut assembly = Assembly::default();
     let mut corner = |at: &At| at[0] == 1 && at[1] != 0;
-    let x = assembly.variables("x", &[&two, &three], Some(&mut corner)).unwrap();
-    assembly.declare(["x", "", ""], &[&two, &three], &x);
-    let y = assembly.variables("y", &[], None).unwrap();
-    assembly.declare(["y", "", ""], &[], &y);
-    assert_eq!((x.offset, x.count, x.members()), (0, 2, Some(&[4, 5][..])));
+    let x = assembly.variables(&["x", "", ""], &[&two, &three], Some(&mut corner));
+    let y = assembly.variables(&["y", "", ""], &[], None);
+    assert_eq!((x.offset, x.count, x.members()), (0, 2, Some(vec![4, 5])));
     assert_eq!((y.offset, y.count), (2, 1));
-    let first = assembly.definition(["a", "", ""], &[&three]).unwrap();
-    let second = assembly.definition(["b", "", ""], &[]).unwrap();
+    let first = assembly.definition(&["a", "", ""], &[&three]);
+    let second = assembly.definition(&["b", "", ""], &[]);
     assert_eq!((first.offset, second.offset), (0, 3));
-    let rate = assembly.parameter(["rate", "", ""], &[&two], vec![0.1, 0.2]).unwrap();
-    let scale = assembly.parameter(["scale", "", ""], &[], vec![3.0]).unwrap();
+    assembly.give(0, Table::from([0.1, 0.2]));
+    let rate = assembly.parameter(0, &["rate", "", ""], &[&two], None);
+    let scale = assembly.parameter(1, &["scale", "", ""], &[], Some(&mut |_| 3.0));
     assert_eq!((rate.offset, scale.offset, scale.values()), (0, 2, &[3.0][..]));
 }
 
 #[test]
+fn an_equation_like_its_variable_has_a_row_for_each_of_its_elements() {
+    let three = Set::count("three", 3);
+    let mut assembly = Assembly::default();
+    let mut odd = |at: &At| at[0] != 1;
+    let x = assembly.variables(&["x", "", ""], &[&three], Some(&mut odd));
+    let rows = assembly.equation_like(&["e", "", ""], &[&three], "x", &x);
+    assert_eq!((rows.count, rows.members()), (2, Some(vec![0, 2])));
+    let mut shape = Shape::default();
+    assembly.finish(&mut shape).unwrap();
+    assert_eq!((shape.n(), shape.row_count()), (2, 2));
+}
+
+#[test]
 fn a_field_that_is_not_given_is_named() {
-    assert_eq!(required("cost", Some(2.0)), Ok(2.0));
-    let error = required::<f64>("cost", None).unwrap_err();
+    let mut assembly = Assembly::default();
+    assert_eq!(assembly.required("cost", Some(2.0)), Ok(2.0));
+    let error = assembly.required::<f64>("cost", None).unwrap_err();
     assert_eq!(error.to_string(), "`cost` is not given: call `.cost(…)` before `.build()`");
+}
+
+#[test]
+fn the_first_error_is_told_and_nothing_is_called_after_it() {
+    let mut assembly = Assembly::default();
+    let nodes = assembly.set(0, "nodes");
+    assert!(nodes.is_empty() && assembly.map(1, "site", [&nodes, &nodes]).is_empty());
+    let mut called = |_: &At| unreachable!("called after an error");
+    let x = assembly.variables(&["x", "", ""], &[], None);
+    assembly.lower(&x, &mut called);
+    let not_given = "`nodes` is not given: call `.nodes(…)` before `.build()`";
+    let error = assembly.finish(&mut Shape::default()).unwrap_err();
+    assert_eq!(error.to_string(), not_given);
+
+    assembly.set(0, "nodes");
+    let error = assembly.required("cost", Some(2.0)).unwrap_err();
+    assert_eq!(error.to_string(), not_given);
 }
 
 #[test]
@@ -79,15 +109,4 @@ fn fixing_an_element_that_does_not_exist_is_an_error_and_changes_nothing() {
 fn a_family_without_elements_has_no_values() {
     let values = FamilyValues::free(0);
     assert!(values.lower.is_empty() && values.upper.is_empty() && values.start.is_empty());
-}
-
-#[test]
-fn every_kind_of_number_is_an_expression() {
-    let value = |number: Real<f64>| number.into_scalar();
-    assert_eq!(value(expression(1.5)), 1.5);
-    let shared = &1.5;
-    assert_eq!(value(expression(shared)), 1.5);
-    assert_eq!(value(expression(-3)), -3.0);
-    assert_eq!(value(expression(7_usize)), 7.0);
-    assert_eq!(value(expression(Real::from(2.0))), 2.0);
 }

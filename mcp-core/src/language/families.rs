@@ -13,10 +13,10 @@ macro_rules! families {
         $(#[$about])*
         pub struct $Family<X>(#[doc(hidden)] pub Layout, PhantomData<fn() -> X>);
 
-        impl<X> Default for $Family<X> {
-            fn default() -> Self {
-                $Family(Layout::default(), PhantomData)
-            }
+        impl<X> $Family<X> {
+            /// Without elements.
+            #[doc(hidden)]
+            pub const EMPTY: Self = $Family(Layout::EMPTY, PhantomData);
         }
         impl<X> Clone for $Family<X> {
             fn clone(&self) -> Self {
@@ -55,10 +55,23 @@ impl<X> Data<X> {
     }
 }
 
-/// 0 for an element whose condition does not hold.
+/// The variable with this number in dense order; 0 if its condition does not hold. With lanes by a
+/// call, as [`Reader::row_var`].
 #[inline]
-fn absent<D: Scalar>() -> Real<D> {
-    Real::from(0.0)
+fn variable<D: Scalar>(layout: &Layout, read: &Reader<'_, D>, dense: usize) -> Real<D> {
+    if const { D::LANES == 0 } && !layout.is_sparse {
+        read.row_var(layout.offset + dense)
+    } else {
+        variable_apart(layout, read, dense)
+    }
+}
+
+#[inline(never)]
+fn variable_apart<D: Scalar>(layout: &Layout, read: &Reader<'_, D>, dense: usize) -> Real<D> {
+    match layout.place(dense) {
+        Some(place) => read.var(layout.offset + place),
+        None => Real::from(0.0),
+    }
 }
 
 /// Numbers of combinations of the sets `X`.
@@ -112,8 +125,7 @@ macro_rules! reading {
             #[doc(hidden)]
             #[inline]
             pub fn get<D: Scalar>(&self, read: &Reader<'_, D>, $($i: impl Element<$S>),*) -> Real<D> {
-                let place = self.0.place(Position::<($($S,)*)>::dense(&self.0, $($i),*));
-                place.map_or_else(absent, |place| read.row_var(self.0.offset + place))
+                variable(&self.0, read, Position::<($($S,)*)>::dense(&self.0, $($i),*))
             }
             /// A variable at indices that may not exist. Inside `mcp!` it is called without `read`:
             /// `stock.at(t - 1).or(0.0)`.

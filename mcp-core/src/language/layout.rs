@@ -4,7 +4,6 @@
 use super::ix::narrow;
 use crate::error::ModelError;
 use crate::model::{Set, combinations};
-use std::sync::Arc;
 
 /// Most index sets of one family.
 pub(super) const MOST_SETS: usize = 6;
@@ -17,7 +16,7 @@ pub type At = [usize; MOST_SETS];
 
 /// Where the elements of a family stand, the last index running fastest, and what is known of them.
 ///
-/// Dropped and copied in a few instructions, since a model has many.
+/// Dropped in a few instructions, none of which can fail, since a model has many.
 #[derive(Clone, Debug)]
 pub struct Layout {
     pub(super) lengths: At,
@@ -26,29 +25,25 @@ pub struct Layout {
     /// Number of elements that exist.
     pub(super) count: usize,
     /// Whether some combinations have no element.
-    is_sparse: bool,
-    table: Arc<Table>,
-}
-
-/// What not every family has.
-#[derive(Debug, Default)]
-struct Table {
-    /// For a family with conditions: the place of every combination, [`ABSENT`] where there is none.
-    places: Vec<u32>,
-    /// For a family with conditions: the combination of every element.
-    members: Vec<usize>,
+    pub(super) is_sparse: bool,
     /// Data: the value of every combination.
     values: Vec<f64>,
-}
-
-impl Default for Layout {
-    fn default() -> Self {
-        let table = Arc::default();
-        Layout { lengths: [1; MOST_SETS], offset: 0, count: 0, is_sparse: false, table }
-    }
+    /// For a family with conditions: the place of every combination, [`ABSENT`] where there is none,
+    /// and behind them the combination of every element.
+    places: Vec<u32>,
 }
 
 impl Layout {
+    /// No element.
+    pub(super) const EMPTY: Layout = Layout {
+        lengths: [1; MOST_SETS],
+        offset: 0,
+        count: 0,
+        is_sparse: false,
+        values: Vec::new(),
+        places: Vec::new(),
+    };
+
     /// A family with all combinations of its sets.
     ///
     /// # Errors
@@ -59,46 +54,49 @@ impl Layout {
             *length = set.len();
         }
         match combinations(sets) {
-            Some(count) => Ok(Layout { lengths, count, ..Layout::default() }),
+            Some(count) => Ok(Layout { lengths, count, ..Layout::EMPTY }),
             None => Err(ModelError::TooManyElements { name: family.to_owned() }),
         }
     }
 
     /// Takes the place of an empty layout, so that a model need not drop that one itself.
-    ///
-    /// # Errors
-    /// That of making the layout.
-    pub fn set(&mut self, made: Result<Layout, ModelError>) -> Result<(), ModelError> {
-        *self = made?;
-        Ok(())
+    pub fn set(&mut self, made: Layout) {
+        *self = made;
     }
 
     /// The same with only some of the combinations, in order.
     pub(super) fn only(mut self, members: &[usize]) -> Self {
-        let mut places = vec![ABSENT; self.lengths.iter().product()];
+        let mut places = vec![ABSENT; self.combinations()];
         for (place, &dense) in members.iter().enumerate() {
             places[dense] = narrow(place);
         }
-        (self.is_sparse, self.count) = (true, members.len());
-        self.table = Arc::new(Table { places, members: members.to_vec(), values: Vec::new() });
+        places.extend(members.iter().map(|&dense| narrow(dense)));
+        (self.is_sparse, self.count, self.places) = (true, members.len(), places);
         self
     }
 
     /// The same with values of all combinations.
     pub(super) fn with_values(mut self, values: Vec<f64>) -> Self {
-        self.table = Arc::new(Table { values, ..Table::default() });
+        self.values = values;
         self
     }
 
+    /// Number of combinations, with an element or without.
+    fn combinations(&self) -> usize {
+        self.lengths.iter().product()
+    }
+
     /// Combinations of the elements, unless there is an element for each.
-    pub(super) fn members(&self) -> Option<&[usize]> {
-        self.is_sparse.then_some(&self.table.members)
+    #[cfg(test)]
+    pub(super) fn members(&self) -> Option<Vec<usize>> {
+        let members = || self.places[self.combinations()..].iter();
+        self.is_sparse.then(|| members().map(|&dense| dense as usize).collect())
     }
 
     /// Data: the value of every combination.
     #[inline]
     pub fn values(&self) -> &[f64] {
-        &self.table.values
+        &self.values
     }
 
     /// One value for each element.
@@ -109,7 +107,11 @@ impl Layout {
     /// The positions of an element's indices in their sets.
     pub(super) fn split(&self, row: usize) -> At {
         let mut positions = [0; MOST_SETS];
-        let mut rest = if self.is_sparse { self.table.members[row] } else { row };
+        let mut rest = if self.is_sparse {
+            self.places[self.places.len() - self.count + row] as usize
+        } else {
+            row
+        };
         for (position, &length) in positions.iter_mut().zip(&self.lengths).rev() {
             if length > 1 {
                 (*position, rest) = (rest % length, rest / length);
@@ -125,6 +127,6 @@ impl Layout {
     }
 
     fn sparse_place(&self, dense: usize) -> Option<usize> {
-        Some(self.table.places[dense]).filter(|&place| place != ABSENT).map(|place| place as usize)
+        Some(self.places[dense]).filter(|&place| place != ABSENT).map(|place| place as usize)
     }
 }

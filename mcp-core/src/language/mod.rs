@@ -16,7 +16,9 @@
 //! | `var x[…]`, `def c[…]` | [`Variables`], [`Definitions`] | `x[i, j]`, `x.at(t - 1).or(x0)` |
 
 mod assemble;
+mod expression;
 mod families;
+mod given;
 pub mod input;
 mod ix;
 mod layout;
@@ -27,16 +29,18 @@ mod test_sets;
 mod view;
 
 #[doc(hidden)]
-pub use assemble::{Assembly, Condition, Expression, FamilyValues, Text};
+pub use assemble::{Assembly, Condition, Each, Text};
 #[doc(hidden)]
-pub use assemble::{expression, labels, required, scalar, table};
+pub use expression::{Expression, expression};
 pub use families::{Data, Definitions, Parameters, Rows, Variables};
+#[doc(hidden)]
+pub use given::Input;
 pub use input::{DataError, LabelMap, LabelPairs, LabelSubset, Labels, Table};
 pub use ix::{Domain, Element, Ix, Maybe, Near, OrderedDomain, Place, Shifted};
 #[doc(hidden)]
 pub use layout::{At, Layout};
 pub use pairs::{Map, Pairs};
 pub use sets::{IndexSet, Indices, Members, Subset};
-#[doc(hidden)]
-pub use view::{Evaluated, single, start_of_lifted, viewed_table};
 pub use view::{Key, Levels, VariableLevels};
+#[doc(hidden)]
+pub use view::{Numbers, ViewedTable, start_of_lifted, viewed};

@@ -1,7 +1,7 @@
 //! [`Pairs`] and [`Map`]: sets of arcs and assignments, with incidence lists built once.
 
 use super::ix::{Domain, Element, Ix, narrow};
-use super::sets::{Indices, Members};
+use super::sets::{Indices, Members, listed};
 use crate::model::Set;
 
 /// For every element of one set, a list of indices of another.
@@ -13,9 +13,10 @@ struct Incidence<S: Domain> {
 
 impl<S: Domain> Incidence<S> {
     /// Lists the index of every position under its key, in order.
+    #[inline]
     fn new(keys: usize, key_of: &[usize], index: impl Fn(usize) -> Ix<S>) -> Self {
         let (first, order) = by_key(keys, key_of);
-        Incidence { first, indices: order.into_iter().map(index).collect() }
+        Incidence { first, indices: listed(order.len(), |k| index(order[k])) }
     }
 
     #[inline]
@@ -39,32 +40,38 @@ fn by_key(keys: usize, key_of: &[usize]) -> (Vec<usize>, Vec<usize>) {
     (first, order)
 }
 
+/// Where arcs start, and where they end. Not generic, as [`by_key`].
+fn apart(ends: &[(usize, usize)]) -> (Vec<usize>, Vec<usize>) {
+    ends.iter().copied().unzip()
+}
+
 /// Arcs: a set each of whose elements goes from an element of `A` to one of `B`.
 ///
 /// In a header, `l @ (i, j) in lines` names an arc and its ends.
 #[derive(Clone, Debug)]
 pub struct Pairs<S: Domain, A: Domain, B: Domain> {
-    set: Set,
     ends: Vec<(Ix<A>, Ix<B>)>,
     out_of: Incidence<S>,
     into: Incidence<S>,
+    set: Set,
 }
 
 impl<S: Domain<Place = u32>, A: Domain, B: Domain> Pairs<S, A, B> {
     /// Arcs with these labels and ends, given by position.
     #[doc(hidden)]
+    #[inline]
     pub fn new(
         set: Set,
         from: &impl Members<A>,
         to: &impl Members<B>,
         ends: &[(usize, usize)],
     ) -> Self {
-        let (starts, stops): (Vec<usize>, Vec<usize>) = ends.iter().copied().unzip();
+        let (starts, stops) = apart(ends);
         let arc = |k| Ix::new(narrow(k));
         let out_of = Incidence::new(from.count(), &starts, arc);
         let into = Incidence::new(to.count(), &stops, arc);
-        let ends = ends.iter().map(|&(a, b)| (from.ix(a), to.ix(b))).collect();
-        Pairs { set, ends, out_of, into }
+        let ends = listed(ends.len(), |k| (from.ix(ends[k].0), to.ix(ends[k].1)));
+        Pairs { ends, out_of, into, set }
     }
     /// Number of arcs.
     pub fn len(&self) -> usize {
@@ -100,6 +107,7 @@ impl<S: Domain<Place = u32>, A: Domain, B: Domain> Pairs<S, A, B> {
 }
 
 impl<S: Domain<Place = u32>, A: Domain, B: Domain> Members<S> for Pairs<S, A, B> {
+    #[inline]
     fn set(&self) -> &Set {
         &self.set
     }
@@ -127,10 +135,11 @@ pub struct Map<A: Domain, B: Domain> {
 impl<A: Domain, B: Domain> Map<A, B> {
     /// Sends element `k` of `from` to the element of `to` at position `targets[k]`.
     #[doc(hidden)]
+    #[inline]
     pub fn new(from: &impl Members<A>, to: &impl Members<B>, targets: &[usize]) -> Self {
         Map {
             of: Incidence::new(to.count(), targets, |k| from.ix(k)),
-            to: targets.iter().map(|&target| to.ix(target)).collect(),
+            to: listed(targets.len(), |k| to.ix(targets[k])),
         }
     }
     /// What an element is sent to: `site[g]`.

@@ -1,7 +1,6 @@
 //! [`IndexSet`] and [`Subset`]: sets that hand out typed indices.
 
 use super::ix::{Domain, Element, Ix, OrderedDomain, narrow, signed};
-use crate::error::ModelError;
 use crate::model::Set;
 
 /// Something whose elements are indices of `S`.
@@ -11,9 +10,20 @@ pub trait Members<S: Domain> {
     /// The element at a position below the length.
     fn ix(&self, position: usize) -> Ix<S>;
     /// Number of elements.
+    #[inline]
     fn count(&self) -> usize {
         self.set().len()
     }
+}
+
+/// `item(0)`, …, `item(count − 1)`. Plain, since a model compiles it for each of its sets.
+#[inline]
+pub(super) fn listed<T>(count: usize, item: impl Fn(usize) -> T) -> Vec<T> {
+    let mut items = Vec::with_capacity(count);
+    for k in 0..count {
+        items.push(item(k));
+    }
+    items
 }
 
 /// A set of labels, or a count. `for i in &set` yields its indices.
@@ -26,6 +36,7 @@ pub struct IndexSet<S> {
 impl<S: Domain<Place = u32>> IndexSet<S> {
     /// Typed indices for these labels.
     #[doc(hidden)]
+    #[inline]
     pub fn new(set: Set) -> Self {
         IndexSet { set, domain: std::marker::PhantomData }
     }
@@ -77,6 +88,7 @@ impl<S: OrderedDomain<Place = u32>> IndexSet<S> {
 }
 
 impl<S: Domain<Place = u32>> Members<S> for IndexSet<S> {
+    #[inline]
     fn set(&self) -> &Set {
         &self.set
     }
@@ -127,24 +139,17 @@ impl<S: Domain<Place = u32>> IntoIterator for &IndexSet<S> {
 /// set.
 #[derive(Clone, Debug)]
 pub struct Subset<S: Domain> {
-    set: Set,
     members: Vec<Ix<S>>,
+    set: Set,
 }
 
 impl<S: Domain<Place = (u32, Ix<P>)>, P: Domain> Subset<S> {
-    /// The elements of `larger` at these positions.
-    ///
-    /// # Errors
-    /// [`ModelError::DuplicateLabel`] for a position given twice.
+    /// The elements of `larger` at these positions, called as in `set`.
     #[doc(hidden)]
-    pub fn new(
-        name: &str,
-        larger: &impl Members<P>,
-        positions: &[usize],
-    ) -> Result<Self, ModelError> {
-        let set = Set::new(name, positions.iter().map(|&position| larger.set().label(position)))?;
-        let member = |(k, &position)| Ix::of_place((narrow(k), larger.ix(position)));
-        Ok(Subset { set, members: positions.iter().enumerate().map(member).collect() })
+    #[inline]
+    pub fn new(set: Set, larger: &impl Members<P>, positions: &[usize]) -> Self {
+        let member = |k: usize| Ix::of_place((narrow(k), larger.ix(positions[k])));
+        Subset { set, members: listed(positions.len(), member) }
     }
     /// Number of elements.
     pub fn len(&self) -> usize {
@@ -171,6 +176,7 @@ impl<S: Domain<Place = (u32, Ix<P>)>, P: Domain> Subset<S> {
 }
 
 impl<S: Domain> Members<S> for Subset<S> {
+    #[inline]
     fn set(&self) -> &Set {
         &self.set
     }

@@ -62,12 +62,6 @@ fn an_empty_subset_has_no_indices_and_contains_nothing() {
 }
 
 #[test]
-fn a_position_given_twice_is_an_error() {
-    let twice = Subset::<Towns>::new("towns", &nodes(3), &[1, 1]).unwrap_err();
-    assert_eq!(twice.to_string(), "set `towns` has the label `2` twice");
-}
-
-#[test]
 fn the_first_and_the_last_element_are_told_apart_except_in_a_set_of_one() {
     let day = hours(4);
     assert_eq!((day.first(), day.last()), (hour(0), hour(3)));

@@ -1,6 +1,6 @@
 //! Index sets for tests, with the code that `mcp!` generates for them.
 
-use super::{Domain, Element, IndexSet, Ix, Near, OrderedDomain, Subset};
+use super::{Domain, Element, IndexSet, Ix, Members, Near, OrderedDomain, Subset};
 use crate::model::Set;
 
 macro_rules! domain {
@@ -64,10 +64,12 @@ pub(super) fn nodes(n: usize) -> IndexSet<Nodes> {
 
 /// Nodes at these positions.
 pub(super) fn towns(nodes: &IndexSet<Nodes>, positions: &[usize]) -> Subset<Towns> {
-    Subset::new("towns", nodes, positions).unwrap()
+    let labels = positions.iter().map(|&position| nodes.label(nodes.ix(position)));
+    Subset::new(Set::new("towns", labels).unwrap(), nodes, positions)
 }
 
 /// Towns at these positions.
 pub(super) fn ports(towns: &Subset<Towns>, positions: &[usize]) -> Subset<Ports> {
-    Subset::new("ports", towns, positions).unwrap()
+    let labels = positions.iter().map(|&position| towns.label(towns.ix(position)));
+    Subset::new(Set::new("ports", labels).unwrap(), towns, positions)
 }

@@ -68,12 +68,13 @@ impl<const R: usize, L: AsRef<str>> Key<R> for [L; R] {
 /// }
 /// ```
 #[derive(Clone, Debug, PartialEq)]
-pub struct Levels<const R: usize>(Arc<Numbers>);
+pub struct Levels<const R: usize>(#[doc(hidden)] pub Arc<Numbers>);
 
 /// What [`Levels`] and [`VariableLevels`] show; shared, so that a view is dropped in a few
 /// instructions for each family.
+#[doc(hidden)]
 #[derive(Debug, PartialEq)]
-struct Numbers {
+pub struct Numbers {
     family: Family,
     values: Vec<f64>,
     /// Of a variable family.
@@ -127,7 +128,7 @@ impl<const R: usize, K: Key<R>> Index<K> for Levels<R> {
 
 /// Levels of a variable family, and its marginals: `F` of the paired equations.
 #[derive(Clone, Debug, PartialEq)]
-pub struct VariableLevels<const R: usize>(Levels<R>);
+pub struct VariableLevels<const R: usize>(#[doc(hidden)] pub Levels<R>);
 
 impl<const R: usize> VariableLevels<R> {
     /// `F` of the equation paired with the element with these labels; 0 between the bounds.
@@ -151,64 +152,64 @@ impl<const R: usize> Deref for VariableLevels<R> {
     }
 }
 
-/// A model at a solution, with definitions and reports evaluated.
-#[doc(hidden)]
-#[derive(Debug)]
-pub struct Evaluated<'a> {
-    solution: &'a Solution,
-    derived: Derived,
+impl Numbers {
+    /// The single value of a family without index sets; 0 if its condition does not hold.
+    pub fn single(&self) -> f64 {
+        self.values.first().copied().unwrap_or(0.0)
+    }
 }
 
-impl<'a> Evaluated<'a> {
-    /// Evaluates definitions and reports, with the parameters of the solve.
-    ///
-    /// # Errors
-    /// [`ModelError::Length`] for a solution with another number of variables,
-    /// [`ModelError::OtherModel`] for one whose families have other names or labels.
-    pub fn new(model: &dyn PlainModel, solution: &'a Solution) -> Result<Self, ModelError> {
-        let shape = model.plain_shape();
-        for (what, numbers) in [("solution", &solution.z), ("marginals", &solution.f)] {
-            let (expected, found) = (shape.n(), numbers.len());
-            if expected != found {
-                return Err(ModelError::Length { what: what.to_owned(), expected, found });
-            }
+/// A table of the data: its name, its sets and its values.
+#[doc(hidden)]
+pub type ViewedTable<'a> = (&'a str, &'a [&'a Set], &'a [f64]);
+
+/// The numbers of a solution, all `N` families in order: variables, definitions, parameters,
+/// reports, tables.
+///
+/// # Errors
+/// [`ModelError::Length`] for a solution with another number of variables,
+/// [`ModelError::OtherModel`] for one whose families have other names or labels.
+#[doc(hidden)]
+#[inline]
+pub fn viewed<const N: usize>(
+    model: &dyn PlainModel,
+    solution: &Solution,
+    tables: &[ViewedTable<'_>],
+) -> Result<[Arc<Numbers>; N], ModelError> {
+    let numbers = all_numbers(model, solution, tables)?;
+    Ok(numbers.try_into().unwrap_or_else(|_| unreachable!("the model was checked")))
+}
+
+fn all_numbers(
+    model: &dyn PlainModel,
+    solution: &Solution,
+    tables: &[ViewedTable<'_>],
+) -> Result<Vec<Arc<Numbers>>, ModelError> {
+    let shape = model.plain_shape();
+    for (what, numbers) in [("solution", &solution.z), ("marginals", &solution.f)] {
+        let (expected, found) = (shape.n(), numbers.len());
+        if expected != found {
+            return Err(ModelError::Length { what: what.to_owned(), expected, found });
         }
-        shape.check_families_of(&solution.shape)?;
-        let parameters = solution.shape.parameter_values();
-        Ok(Evaluated { solution, derived: Derived::at(model, &solution.z, parameters) })
     }
-
-    /// Levels of variable family `k`.
-    pub fn variable<const R: usize>(&self, k: usize) -> VariableLevels<R> {
-        let family = &self.solution.shape.variables()[k];
-        VariableLevels(Levels(numbers(family, &self.solution.z, &self.solution.f)))
+    let solved = &solution.shape;
+    shape.check_families_of(solved)?;
+    let parameters = solved.parameter_values();
+    let derived = Derived::at(model, &solution.z, parameters);
+    let mut all = Vec::new();
+    for (families, values, marginals) in [
+        (solved.variables(), &solution.z[..], &solution.f[..]),
+        (solved.definitions(), &derived.definitions, &[]),
+        (solved.parameters(), parameters, &[]),
+        (solved.reports(), &derived.reports, &[]),
+    ] {
+        all.extend(families.iter().map(|family| numbers(family, values, marginals)));
     }
-    /// Values of definition family `k`.
-    pub fn definition<const R: usize>(&self, k: usize) -> Levels<R> {
-        let family = &self.solution.shape.definitions()[k];
-        Levels(numbers(family, &self.derived.definitions, &[]))
-    }
-    /// Values of parameter family `k`.
-    pub fn parameter<const R: usize>(&self, k: usize) -> Levels<R> {
-        let shape = &self.solution.shape;
-        Levels(numbers(&shape.parameters()[k], shape.parameter_values(), &[]))
-    }
-    /// Values of report family `k`.
-    pub fn report<const R: usize>(&self, k: usize) -> Levels<R> {
-        Levels(numbers(&self.solution.shape.reports()[k], &self.derived.reports, &[]))
-    }
-}
-
-/// The single value of a family without index sets; 0 if its condition does not hold.
-#[doc(hidden)]
-pub fn single(levels: &Levels<0>) -> f64 {
-    levels.0.values.first().copied().unwrap_or(0.0)
-}
-
-/// A table of the data, to be read by label.
-#[doc(hidden)]
-pub fn viewed_table<const R: usize>(name: &str, sets: &[&Set], values: &[f64]) -> Levels<R> {
-    Levels(numbers(&Family::of_table(name, sets), values, &[]))
+    let table = |&(name, sets, values): &ViewedTable<'_>| {
+        numbers(&Family::of_table(name, sets), values, &[])
+    };
+    all.extend(tables.iter().map(table));
+    Ok(all)
 }
 
 /// The elements of a family among all of its kind; without `marginals` it has none.

@@ -1,10 +1,14 @@
-use super::viewed_table as table;
 use super::*;
 use crate::model::{Equation, Model, Reader, Shape, Variable};
 use crate::scalar::{Real, Scalar};
 
 fn set(name: &str, labels: &[&str]) -> Set {
     Set::new(name, labels.iter().copied()).unwrap()
+}
+
+/// A table of the data, to be read by label.
+fn table<const R: usize>(name: &str, sets: &[&Set], values: &[f64]) -> Levels<R> {
+    Levels(numbers(&Family::of_table(name, sets), values, &[]))
 }
 
 /// `x[plants, markets]`, numbered.
@@ -91,7 +95,8 @@ fn an_unknown_label_in_brackets_panics() {
 fn a_combination_that_does_not_exist_is_an_error() {
     let model = market("x", &["a", "b", "c"], &[0, 2], "level");
     let solution = solution(&model, &[5.0, 6.0]);
-    let x: VariableLevels<1> = Evaluated::new(&model, &solution).unwrap().variable(0);
+    let [x, _level] = viewed(&model, &solution, &[]).unwrap();
+    let x = VariableLevels::<1>(Levels(x));
     let listed: Vec<([String; 1], f64)> = x.iter().collect();
     assert_eq!(listed, [(["a".to_owned()], 5.0), (["c".to_owned()], 6.0)]);
     assert_eq!((x.get("c"), x.marginal("c"), x["a"]), (Ok(6.0), Ok(4.0), 5.0));
@@ -103,7 +108,7 @@ fn a_combination_that_does_not_exist_is_an_error() {
 #[test]
 fn a_family_without_index_sets_is_one_number_that_needs_no_label() {
     let eta: Levels<0> = table("eta", &[], &[0.9]);
-    assert_eq!((single(&eta), eta.get([""; 0]), eta.len()), (0.9, Ok(0.9), 1));
+    assert_eq!((eta.0.single(), eta.get([""; 0]), eta.len()), (0.9, Ok(0.9), 1));
     assert_eq!(eta.iter().collect::<Vec<_>>(), [([], 0.9)]);
 }
 
@@ -118,16 +123,16 @@ fn a_solution_is_read_by_a_model_with_the_same_labels() {
     let model = market("x", &["a", "b"], &[0, 1], "level");
     let again = market("x", &["a", "b"], &[0, 1], "level");
     let solution = solution(&again, &[5.0, 6.0]);
-    let at = Evaluated::new(&model, &solution).unwrap();
-    assert_eq!(at.variable::<1>(0)["b"], 6.0);
-    assert_eq!(single(&at.parameter::<0>(0)), 2.0);
+    let goods = set("goods", &["a", "b"]);
+    let [x, level, cost] = viewed(&model, &solution, &[("cost", &[&goods], &[3.0, 4.0])]).unwrap();
+    assert_eq!((Levels::<1>(x)["b"], level.single(), Levels::<1>(cost)["b"]), (6.0, 2.0, 4.0));
 }
 
 #[test]
 fn a_solution_of_another_model_is_refused_even_if_it_has_as_many_variables() {
     let model = market("x", &["a", "b", "c"], &[0, 1], "level");
     let told = |other: &Market, z: &[f64]| {
-        Evaluated::new(&model, &solution(other, z)).unwrap_err().to_string()
+        viewed::<2>(&model, &solution(other, z), &[]).unwrap_err().to_string()
     };
     let x = "the solution is of another model: `x` has other elements there";
     assert_eq!(told(&market("x", &["a", "c", "b"], &[0, 1], "level"), &[1.0, 2.0]), x);
@@ -143,7 +148,7 @@ fn a_solution_of_another_model_is_refused_even_if_it_has_as_many_variables() {
 fn a_solution_without_marginals_is_refused() {
     let model = market("x", &["a"], &[0], "level");
     let solution = Solution { f: vec![], ..solution(&model, &[1.0]) };
-    let error = Evaluated::new(&model, &solution).unwrap_err().to_string();
+    let error = viewed::<2>(&model, &solution, &[]).unwrap_err().to_string();
     assert_eq!(error, "the length of `marginals` is 0, expected 1");
 }
 

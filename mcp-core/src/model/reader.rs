@@ -127,11 +127,18 @@ impl<'a, D: Scalar> Reader<'a, D> {
         }
     }
 
-    /// [`var`](Self::var) for rows of `mcp!`: with lanes by a call, because every place that reads a
-    /// variable would otherwise be compiled with all the sources of lanes.
+    /// [`var`](Self::var) for rows of `mcp!`: by a call unless it is a plain number of a point,
+    /// because every place that reads a variable would otherwise be compiled with all sources.
     #[inline]
     pub(crate) fn row_var(&self, j: usize) -> Real<D> {
-        if const { D::LANES == 0 } { self.var(j) } else { self.var_apart(j) }
+        if const { D::LANES == 0 }
+            && let Source::Plain { point } = &self.source
+            && let Some(&value) = point.z.get(j)
+        {
+            Real(D::constant(value))
+        } else {
+            self.var_apart(j)
+        }
     }
     #[inline(never)]
     fn var_apart(&self, j: usize) -> Real<D> {
@@ -141,7 +148,14 @@ impl<'a, D: Scalar> Reader<'a, D> {
     /// [`def`](Self::def), likewise.
     #[inline]
     pub(crate) fn row_def(&self, k: usize) -> Real<D> {
-        if const { D::LANES == 0 } { self.def(k) } else { self.def_apart(k) }
+        if const { D::LANES == 0 }
+            && let Source::Plain { point } = &self.source
+            && let Some(&value) = point.definitions.get(k)
+        {
+            Real(D::constant(value))
+        } else {
+            self.def_apart(k)
+        }
     }
     #[inline(never)]
     fn def_apart(&self, k: usize) -> Real<D> {
@@ -151,7 +165,14 @@ impl<'a, D: Scalar> Reader<'a, D> {
     /// [`param`](Self::param), likewise.
     #[inline]
     pub(crate) fn row_param(&self, k: usize) -> Real<D> {
-        if const { D::LANES == 0 } { self.param(k) } else { self.param_apart(k) }
+        if const { D::LANES == 0 }
+            && let Source::Plain { point } = &self.source
+            && let Some(&value) = point.parameters.get(k)
+        {
+            Real(D::constant(value))
+        } else {
+            self.param_apart(k)
+        }
     }
     #[inline(never)]
     fn param_apart(&self, k: usize) -> Real<D> {

@@ -54,6 +54,11 @@ impl Shape {
         ShapeBuilder::default()
     }
 
+    /// A copy to be changed apart from this one. Not generic: compiled here, not with every model.
+    pub(crate) fn shared_copy(&self) -> Arc<Shape> {
+        Arc::new(self.clone())
+    }
+
     /// A shape without names for a problem that is not a model: variables `z[1]`, …, equations
     /// `F[1]`, …, starting at `start` moved into the bounds.
     ///

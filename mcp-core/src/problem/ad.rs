@@ -5,6 +5,7 @@ use super::lanes::Lanes;
 use super::record::{constants, record_rows, trace_whole};
 use super::rows::{ByJets, ByMagnitude, ByNumDual, Rows, RowsIn, pattern_of};
 use super::{Pattern, Problem};
+use crate::apart::Apart;
 use crate::error::ModelError;
 use crate::model::{Model, Reader, Shape};
 use crate::scalar::{Counted, Jet, Magnitude, OperationCounts, Real, Scalar, Tally, Trace};
@@ -56,6 +57,7 @@ impl<M: Model> AdProblem<M> {
     /// # Errors
     /// [`ModelError::ReadOutOfRange`], [`ModelError::DefinitionOrder`]; [`ModelError::Length`] if a
     /// model of one function ([`Model::WHOLE`]) declares definitions or another number of rows.
+    #[inline]
     pub fn new(model: M) -> Result<Self, ModelError> {
         Self::assemble(model, jet_lanes, |rows| Box::new(ByJets(rows)))
     }
@@ -84,12 +86,13 @@ impl<M: Model> AdProblem<M> {
         )
     }
 
+    #[inline]
     fn assemble(
         model: M,
         lanes: impl FnOnce(&Shape, &Pattern) -> Box<dyn Pass<M>>,
-        rows: impl FnOnce(Rows) -> Box<dyn Pass<M>>,
+        rows: impl FnOnce(Apart<Rows>) -> Box<dyn Pass<M>>,
     ) -> Result<Self, ModelError> {
-        let shape = Arc::new(model.shape().clone());
+        let shape = model.shape().shared_copy();
         let (pattern, pass) = if const { M::WHOLE.is_some() } {
             check_whole(M::WHOLE, &shape)?;
             let pattern = trace_whole(&model, &shape);
@@ -248,11 +251,11 @@ impl<M: Model> AdProblem<M> {
 
 /// Pattern and workspace of a model given row by row. Not generic: compiled here, not with every
 /// model.
-fn recorded(model: &dyn RowsIn<f64>, shape: &Shape) -> Result<(Pattern, Rows), ModelError> {
+fn recorded(model: &dyn RowsIn<f64>, shape: &Shape) -> Result<(Pattern, Apart<Rows>), ModelError> {
     let recorded = record_rows(model, shape)?;
     let pattern = pattern_of(shape, &recorded);
     let rows = Rows::new(shape, &recorded, &pattern);
-    Ok((pattern, rows))
+    Ok((pattern, Apart::new(rows)))
 }
 
 /// A model of one function computes all rows of its shape and has no definitions.
@@ -312,14 +315,17 @@ fn evaluate_all<M: Model, D: Scalar>(
 }
 
 impl<M: Model> Problem for AdProblem<M> {
+    #[inline]
     fn shape(&self) -> &Arc<Shape> {
         &self.shape
     }
 
+    #[inline]
     fn pattern(&self) -> &Pattern {
         &self.pattern
     }
 
+    #[inline]
     fn evaluate(&mut self, z: &[f64], f: Option<&mut [f64]>, jac: Option<&mut [f64]>) {
         let parameters = self.shape.parameter_values();
         match (f, jac) {
@@ -331,6 +337,7 @@ impl<M: Model> Problem for AdProblem<M> {
         }
     }
 
+    #[inline]
     fn derived(&self, z: &[f64]) -> Derived {
         Derived::at(&self.model, z, self.shape.parameter_values())
     }

@@ -6,8 +6,9 @@
 use super::Pattern;
 use super::ad::Pass;
 use super::record::{Recorded, RowReads, all_rows, support_of};
+use crate::apart::Apart;
 use crate::model::{Family, Local, Model, Point, Reader, Row, Shape, Slots};
-use crate::scalar::{Jet, Magnitude, Real, Scalar};
+use crate::scalar::{Jet, Magnitude, Real, Scalar, Wide};
 use num_dual::DualSVec64;
 use std::marker::PhantomData;
 use std::ops::Range;
@@ -43,7 +44,7 @@ pub(super) trait LaneChoice {
 }
 
 /// Rows in plain numbers and in those of [`Jets`].
-pub(super) trait JetRows: RowsIn<f64> + RowsIn<Jet<8>> + RowsIn<Jet<16>> {}
+pub(super) trait JetRows: RowsIn<f64> + RowsIn<Jet<8>> + RowsIn<Wide> {}
 
 impl<M: Model> JetRows for M {}
 
@@ -56,7 +57,7 @@ impl LaneChoice for Jets<'_> {
         match row.lanes {
             0 => row.value(self.0),
             1..=8 => row.evaluate::<Jet<8>>(self.0, put),
-            _ => row.evaluate::<Jet<16>>(self.0, put),
+            _ => row.evaluate::<Wide>(self.0, put),
         }
     }
 }
@@ -348,12 +349,14 @@ pub(super) fn pattern_of(shape: &Shape, recorded: &Recorded) -> Pattern {
 }
 
 /// Derivatives by [`Jet`].
-pub(super) struct ByJets(pub(super) Rows);
+pub(super) struct ByJets(pub(super) Apart<Rows>);
 
 impl<M: Model> Pass<M> for ByJets {
+    #[inline]
     fn residual(&mut self, model: &M, z: &[f64], parameters: &[f64], f: &mut [f64]) {
         self.0.residual(model, z, parameters, f);
     }
+    #[inline]
     fn jacobian(
         &mut self,
         model: &M,
@@ -368,12 +371,12 @@ impl<M: Model> Pass<M> for ByJets {
 
 /// Derivatives in one arithmetic for all rows.
 pub(super) struct By<D> {
-    rows: Rows,
+    rows: Apart<Rows>,
     arithmetic: PhantomData<fn() -> D>,
 }
 
 impl<D> By<D> {
-    pub(super) fn new(rows: Rows) -> Self {
+    pub(super) fn new(rows: Apart<Rows>) -> Self {
         By { rows, arithmetic: PhantomData }
     }
 }

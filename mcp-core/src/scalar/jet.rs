@@ -1,7 +1,6 @@
 //! [`Jet`]: a value with `N` exact tangents, over any base arithmetic.
 
 use super::Scalar;
-use std::array::from_fn;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// `v + Σ dₖ εₖ` with `εₖ² = 0`: a value and its derivatives along `N` directions.
@@ -29,7 +28,7 @@ pub struct Jet<const N: usize, T: Scalar = f64> {
 impl<const N: usize, T: Scalar> Jet<N, T> {
     /// The independent variable `v` (itself an element of the base arithmetic) in `lane`.
     pub fn variable(v: T, lane: usize) -> Self {
-        Jet { v, d: from_fn(|k| T::constant(if k == lane { 1.0 } else { 0.0 })) }
+        Jet { v, d: lanes(|k| T::constant(if k == lane { 1.0 } else { 0.0 })) }
     }
 
     /// `f(x)` with `f(x) = v`, `f'(x) = slope`. Zero tangents stay zero where the slope is not
@@ -37,22 +36,64 @@ impl<const N: usize, T: Scalar> Jet<N, T> {
     #[inline]
     fn chain(self, v: T, slope: T) -> Self {
         if slope.is_finite() {
-            Jet { v, d: from_fn(|k| self.d[k] * slope) }
+            Jet { v, d: lanes(|k| self.d[k] * slope) }
         } else {
-            Jet { v, d: from_fn(|k| tangent_product(self.d[k], slope)) }
+            self.chain_at_corner(v, slope)
         }
+    }
+    /// Apart, as all that corners need: it would be compiled wherever a model computes.
+    #[cold]
+    #[inline(never)]
+    fn chain_at_corner(self, v: T, slope: T) -> Self {
+        Jet { v, d: lanes(|k| tangent_product(self.d[k], slope)) }
     }
 
     /// `f(x, y)` with partial derivatives `fx`, `fy`.
     #[inline]
     fn chain2(self, other: Self, v: T, fx: T, fy: T) -> Self {
         if fx.is_finite() && fy.is_finite() {
-            Jet { v, d: from_fn(|k| self.d[k] * fx + other.d[k] * fy) }
+            Jet { v, d: lanes(|k| self.d[k] * fx + other.d[k] * fy) }
         } else {
-            let d = from_fn(|k| tangent_product(self.d[k], fx) + tangent_product(other.d[k], fy));
-            Jet { v, d }
+            self.chain2_at_corner(other, v, fx, fy)
         }
     }
+    #[cold]
+    #[inline(never)]
+    fn chain2_at_corner(self, other: Self, v: T, fx: T, fy: T) -> Self {
+        let d = lanes(|k| tangent_product(self.d[k], fx) + tangent_product(other.d[k], fy));
+        Jet { v, d }
+    }
+
+    /// `(a/b)'` where `a/b` or `1/b` is not finite.
+    #[cold]
+    #[inline(never)]
+    fn quotient_at_corner(self, other: Self, v: T) -> Self {
+        let quotient = |a: T| if a.is_zero() { a } else { a / other.v };
+        Jet { v, d: lanes(|k| quotient(self.d[k] - tangent_product(other.d[k], v))) }
+    }
+    /// `c f` with `c f = v`, where `c` is 0 or not finite.
+    #[inline(never)]
+    fn scale_at_corner(self, v: T, c: f64) -> Self {
+        if c == 0.0 { Jet { v, d: [T::constant(0.0); N] } } else { self.chain(v, T::constant(c)) }
+    }
+    /// NaN, which the larger and the smaller of two numbers are if one is.
+    #[cold]
+    #[inline(never)]
+    fn unknown(self, other: Self, v: T) -> Self {
+        self.chain2(other, v, v, v)
+    }
+}
+
+/// A number for every lane. `array::from_fn` would be compiled for each closure.
+#[inline]
+fn lanes<const N: usize, T: Scalar>(lane: impl Fn(usize) -> T) -> [T; N] {
+    let mut lanes = [T::constant(0.0); N];
+    let mut k = 0;
+    while k < N {
+        lanes[k] = lane(k);
+        k += 1;
+    }
+    lanes
 }
 
 /// `tangent · slope`, 0 where the tangent is 0.
@@ -76,7 +117,7 @@ impl<const N: usize, T: Scalar> Neg for Jet<N, T> {
     type Output = Self;
     #[inline]
     fn neg(self) -> Self {
-        Jet { v: -self.v, d: from_fn(|k| -self.d[k]) }
+        Jet { v: -self.v, d: lanes(|k| -self.d[k]) }
     }
 }
 
@@ -84,7 +125,7 @@ impl<const N: usize, T: Scalar> Add for Jet<N, T> {
     type Output = Self;
     #[inline]
     fn add(self, other: Self) -> Self {
-        Jet { v: self.v + other.v, d: from_fn(|k| self.d[k] + other.d[k]) }
+        Jet { v: self.v + other.v, d: lanes(|k| self.d[k] + other.d[k]) }
     }
 }
 
@@ -92,7 +133,7 @@ impl<const N: usize, T: Scalar> Sub for Jet<N, T> {
     type Output = Self;
     #[inline]
     fn sub(self, other: Self) -> Self {
-        Jet { v: self.v - other.v, d: from_fn(|k| self.d[k] - other.d[k]) }
+        Jet { v: self.v - other.v, d: lanes(|k| self.d[k] - other.d[k]) }
     }
 }
 
@@ -103,7 +144,7 @@ impl<const N: usize, T: Scalar> Mul for Jet<N, T> {
     #[allow(clippy::suspicious_arithmetic_impl, reason = "the product rule adds")]
     #[inline]
     fn mul(self, other: Self) -> Self {
-        Jet { v: self.v * other.v, d: from_fn(|k| self.d[k] * other.v + other.d[k] * self.v) }
+        Jet { v: self.v * other.v, d: lanes(|k| self.d[k] * other.v + other.d[k] * self.v) }
     }
 }
 
@@ -115,10 +156,9 @@ impl<const N: usize, T: Scalar> Div for Jet<N, T> {
         let v = self.v / other.v;
         let inverse = other.v.recip();
         if inverse.is_finite() && v.is_finite() {
-            Jet { v, d: from_fn(|k| (self.d[k] - other.d[k] * v) * inverse) }
+            Jet { v, d: lanes(|k| (self.d[k] - other.d[k] * v) * inverse) }
         } else {
-            let quotient = |a: T| if a.is_zero() { a } else { a / other.v };
-            Jet { v, d: from_fn(|k| quotient(self.d[k] - tangent_product(other.d[k], v))) }
+            self.quotient_at_corner(other, v)
         }
     }
 }
@@ -157,7 +197,7 @@ impl<const N: usize, T: Scalar> Scalar for Jet<N, T> {
     #[inline]
     fn linearised<const K: usize>(value: f64, gradient: &[f64; K], arguments: &[Self; K]) -> Self {
         let v = T::linearised(value, gradient, &arguments.map(|a| a.v));
-        let d = from_fn(|k| {
+        let d = lanes(|k| {
             let mut sum = T::constant(0.0);
             for (a, &g) in arguments.iter().zip(gradient) {
                 if !a.d[k].is_zero() {
@@ -180,12 +220,10 @@ impl<const N: usize, T: Scalar> Scalar for Jet<N, T> {
     #[inline]
     fn scale(self, c: f64) -> Self {
         let v = self.v.scale(c);
-        if c == 0.0 {
-            Jet { v, d: [T::constant(0.0); N] }
-        } else if c.is_finite() {
-            Jet { v, d: from_fn(|k| self.d[k].scale(c)) }
+        if c.is_finite() && c != 0.0 {
+            Jet { v, d: lanes(|k| self.d[k].scale(c)) }
         } else {
-            self.chain(v, T::constant(c))
+            self.scale_at_corner(v, c)
         }
     }
     #[inline]
@@ -194,7 +232,7 @@ impl<const N: usize, T: Scalar> Scalar for Jet<N, T> {
         if c == 0.0 || c.is_nan() {
             self.chain(v, T::constant(c.recip()))
         } else {
-            Jet { v, d: from_fn(|k| self.d[k].over(c)) }
+            Jet { v, d: lanes(|k| self.d[k].over(c)) }
         }
     }
     #[inline]
@@ -405,8 +443,7 @@ impl<const N: usize, T: Scalar> Scalar for Jet<N, T> {
     fn max(self, other: Self) -> Self {
         let (a, b) = (self.value(), other.value());
         if a.is_nan() || b.is_nan() {
-            let v = self.v.max(other.v);
-            self.chain2(other, v, v, v)
+            self.unknown(other, self.v.max(other.v))
         } else if a >= b {
             self
         } else {
@@ -417,8 +454,7 @@ impl<const N: usize, T: Scalar> Scalar for Jet<N, T> {
     fn min(self, other: Self) -> Self {
         let (a, b) = (self.value(), other.value());
         if a.is_nan() || b.is_nan() {
-            let v = self.v.min(other.v);
-            self.chain2(other, v, v, v)
+            self.unknown(other, self.v.min(other.v))
         } else if a <= b {
             self
         } else {

@@ -124,6 +124,7 @@ mod sums;
 #[cfg(test)]
 mod tests;
 mod trace;
+mod wide;
 
 pub use count::{Counted, OperationCounts, Tally};
 pub use external::external;
@@ -134,6 +135,7 @@ pub use magnitude::Magnitude;
 pub use real::Real;
 pub use sums::{Total, prod, sum, when};
 pub use trace::Trace;
+pub(crate) use wide::Wide;
 
 use std::fmt::Debug;
 use std::ops::{Add, Div, Mul, Neg, Sub};
@@ -178,6 +180,13 @@ pub trait Scalar:
     /// The number with `value` and first derivatives `gradient` by `arguments`; derivatives of
     /// higher order are NaN.
     fn linearised<const K: usize>(value: f64, gradient: &[f64; K], arguments: &[Self; K]) -> Self;
+
+    /// `self + term`, in place: what sums repeat.
+    #[doc(hidden)]
+    #[inline]
+    fn accumulate(&mut self, term: Self) {
+        *self = *self + term;
+    }
 
     /// `self + c`.
     fn shift(self, c: f64) -> Self;

@@ -74,7 +74,6 @@ impl Scalar for f64 {
     }
     /// `(p v)/x`: no second power. Where `v` or the product is not a normal number digits are lost
     /// (or it is 0/0), and the quotient or the power is taken first.
-    #[inline]
     fn powf_slope(self, p: f64, v: Self) -> Self {
         if p == 0.0 {
             return 0.0;

@@ -9,6 +9,12 @@ pub trait Total: Copy + Add<Output = Self> + Mul<Output = Self> {
     fn zero() -> Self;
     /// The empty product.
     fn one() -> Self;
+    /// `self + term`, in place.
+    #[doc(hidden)]
+    #[inline]
+    fn accumulate(&mut self, term: Self) {
+        *self = *self + term;
+    }
 }
 
 macro_rules! total {
@@ -33,6 +39,10 @@ impl<D: Scalar> Total for Real<D> {
     fn one() -> Self {
         Real(D::constant(1.0))
     }
+    #[inline]
+    fn accumulate(&mut self, term: Self) {
+        self.0.accumulate(term.0);
+    }
 }
 
 /// `Σ term(i)` over a set, from the first to the last; 0 if it is empty.
@@ -49,8 +59,11 @@ pub fn sum<T: Total, I: IntoIterator>(set: I, mut term: impl FnMut(I::Item) -> T
     let Some(first) = terms.next() else {
         return T::zero();
     };
-    let first = term(first);
-    terms.fold(first, |total, i| total + term(i))
+    let mut total = term(first);
+    for i in terms {
+        total.accumulate(term(i));
+    }
+    total
 }
 
 /// `Π factor(i)` over a set, from the first to the last; 1 if it is empty.
@@ -60,8 +73,11 @@ pub fn prod<T: Total, I: IntoIterator>(set: I, mut factor: impl FnMut(I::Item) -
     let Some(first) = factors.next() else {
         return T::one();
     };
-    let first = factor(first);
-    factors.fold(first, |total, i| total * factor(i))
+    let mut total = factor(first);
+    for i in factors {
+        total = total * factor(i);
+    }
+    total
 }
 
 /// The expression where a condition on data holds, 0 elsewhere (GAMS's `$`).

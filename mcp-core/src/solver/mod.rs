@@ -61,6 +61,7 @@ use workspace::Workspace;
 /// # Errors
 /// [`ModelError`] for input that is wrong before iteration 0. Not converging is a
 /// [`Status`] in the solution.
+#[inline]
 pub fn solve<M: Model>(model: &M, options: &Options) -> Result<Solution, ModelError> {
     solve_problem(&mut AdProblem::new(model)?, None, options)
 }
@@ -69,6 +70,7 @@ pub fn solve<M: Model>(model: &M, options: &Options) -> Result<Solution, ModelEr
 ///
 /// # Errors
 /// As [`solve`], and [`ModelError::Length`] or [`ModelError::StartNotFinite`] for the start.
+#[inline]
 pub fn solve_from<M: Model>(
     model: &M,
     start: &[f64],

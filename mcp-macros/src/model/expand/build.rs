@@ -5,7 +5,7 @@ use super::super::names::{is_number, is_type};
 use super::super::rewrite::wrapping;
 use super::families::text;
 use super::{Expansion, label};
-use proc_macro2::{Ident, Span, TokenStream};
+use proc_macro2::{Ident, Span, TokenStream, TokenTree};
 use quote::{format_ident, quote_spanned};
 
 impl<'m> Expansion<'m> {
@@ -16,7 +16,7 @@ impl<'m> Expansion<'m> {
         code! {
             #[automatically_derived]
             impl #builder {
-                fn __build(mut self) -> ::core::result::Result<#name, ::mcp_core::ModelError> {
+                fn __build(self) -> ::core::result::Result<#name, ::mcp_core::ModelError> {
                     #body
                 }
             }
@@ -31,46 +31,47 @@ impl<'m> Expansion<'m> {
         let (tables, data): (Vec<_>, Vec<_>) =
             self.in_order_of_need().into_iter().partition(is_table);
         let tables = tables.into_iter().map(|field| {
-            let (name, text) = (&field.name, label(&field.name));
+            let (name, text, number) = (&field.name, label(&field.name), self.number_of(field));
             let sets = &field.over;
-            code!(#model.#name.0.set(::mcp_core::language::table(
-                #text, &[#(::mcp_core::language::Members::set(&#model.#sets)),*], &self.#name,
-            ))?;)
+            code!(#model.#name.0.set(#assembly.table(
+                #number, #text, &[#(::mcp_core::language::Members::set(&#model.#sets)),*],
+            ));)
         });
-        let data = data.into_iter().map(|field| self.resolve(field));
+        let data = data.into_iter().map(|field| self.resolve(field, &assembly));
         let fields = self.model.fields.iter().map(|field| {
             let (name, local) = (&field.name, resolved(&field.name));
             if matches!(field.kind, FieldKind::Table) {
-                code!(#name: ::core::default::Default::default(),)
+                code!(#name: ::mcp_core::language::Data::EMPTY,)
             } else {
                 code!(#name: #local,)
             }
         });
         let empty = self.empty_families();
-        let params = self.model.params.iter().map(|param| self.param(param, &assembly));
+        let params = self.model.params.iter().enumerate();
+        let params = params.map(|(k, param)| self.param(k, param, &assembly));
         let vars = self.model.vars.iter().map(|var| self.variable(var, &assembly));
         let lifted = self.lifted().map(|def| Self::lifted_variable(def, &assembly));
         let defs = self.definitions().map(|def| {
             let (name, text) = (&def.name, text(&label(&def.name), &def.attributes));
             let sets = Self::sets_of(&def.over);
-            code!(#model.#name.0.set(#assembly.definition(#text, #sets))?;)
+            code!(#model.#name.0.set(#assembly.definition(#text, #sets));)
         });
         let reports = self.model.reports.iter().map(|report| {
             let (name, text) = (&report.name, text(&label(&report.name), &report.attributes));
             let sets = Self::sets_of(&report.over);
-            code!(#model.#name.0.set(#assembly.report(#text, #sets))?;)
+            code!(#model.#name.0.set(#assembly.report(#text, #sets));)
         });
         let eqs = self.model.eqs.iter().map(|eq| self.equation(eq, &assembly));
         let lifted_eqs = self.lifted().map(|def| Self::lifted_rows(def, &assembly));
         let start = self.lifted_start(&model);
         code! {
+            let mut #assembly = self.__given;
             #(#data)*
             let mut #model = #name {
-                __shape: ::mcp_core::Shape::builder().build()?,
                 #(#fields)*
                 #empty
+                __shape: ::mcp_core::language::Assembly::no_shape(),
             };
-            let mut #assembly = ::mcp_core::language::Assembly::default();
             #(#tables)*
             #(#params)*
             #(#vars)*
@@ -79,7 +80,7 @@ impl<'m> Expansion<'m> {
             #(#reports)*
             #(#eqs)*
             #(#lifted_eqs)*
-            #model.__shape = #assembly.build()?;
+            #assembly.finish(&mut #model.__shape)?;
             #start
             ::core::result::Result::Ok(#model)
         }
@@ -105,40 +106,36 @@ impl<'m> Expansion<'m> {
     }
 
     /// A field of the data, from what was given.
-    fn resolve(&self, field: &Field) -> TokenStream {
+    fn resolve(&self, field: &Field, assembly: &Ident) -> TokenStream {
         let (name, text, local) = (&field.name, label(&field.name), resolved(&field.name));
-        let given = code!(::mcp_core::language::required(#text, self.#name.take())?);
+        let number = self.number_of(field);
         let members = |set: &Ident| {
             let local = resolved(set);
             code!(::mcp_core::language::Members::set(&#local))
         };
         let value = match &field.kind {
             FieldKind::Set | FieldKind::Ordered | FieldKind::Size => {
-                code!(::mcp_core::language::IndexSet::new(
-                    ::mcp_core::language::labels(#text, self.#name.take())?
-                ))
+                code!(::mcp_core::language::IndexSet::new(#assembly.set(#number, #text)))
             }
             FieldKind::Labels(labels) => {
                 let labels = labels.iter().map(label);
-                code!(::mcp_core::language::IndexSet::new(
-                    ::mcp_core::Set::new(#text, [#(#labels),*])?
-                ))
+                code!(::mcp_core::language::IndexSet::new(#assembly.labels(#text, &[#(#labels),*])))
             }
-            FieldKind::Count(count) => code!(::mcp_core::language::IndexSet::new(
-                ::mcp_core::language::Labels::from(#count).into_set(#text)?
-            )),
+            FieldKind::Count(count) => {
+                code!(::mcp_core::language::IndexSet::new(#assembly.count(#text, #count)))
+            }
             FieldKind::Subset(larger) => {
                 let (set, larger) = (members(larger), resolved(larger));
                 code!({
-                    let positions = #given.resolve(#text, #set)?;
-                    ::mcp_core::language::Subset::new(#text, &#larger, &positions)?
+                    let (set, positions) = #assembly.subset(#number, #text, #set);
+                    ::mcp_core::language::Subset::new(set, &#larger, &positions)
                 })
             }
             FieldKind::Pairs(from, to) => {
                 let (from_set, to_set) = (members(from), members(to));
                 let (from, to) = (resolved(from), resolved(to));
                 code!({
-                    let (set, ends) = #given.resolve(#text, #from_set, #to_set)?;
+                    let (set, ends) = #assembly.pairs(#number, #text, [#from_set, #to_set]);
                     ::mcp_core::language::Pairs::new(set, &#from, &#to, &ends)
                 })
             }
@@ -146,17 +143,21 @@ impl<'m> Expansion<'m> {
                 let (from_set, to_set) = (members(from), members(to));
                 let (from, to) = (resolved(from), resolved(to));
                 code!({
-                    let targets = #given.resolve(#text, #from_set, #to_set)?;
+                    let targets = #assembly.map(#number, #text, [#from_set, #to_set]);
                     ::mcp_core::language::Map::new(&#from, &#to, &targets)
                 })
             }
             // Read into the model.
             FieldKind::Table => return TokenStream::new(),
             FieldKind::Value(value) if is_type(value, "f64") => {
-                code!(::mcp_core::language::scalar(#text, self.#name.take())?)
+                code!(#assembly.number(#number, #text))
             }
-            FieldKind::Value(value) if is_number(value) => given,
-            FieldKind::Value(_) => code!(::std::sync::Arc::new(#given)),
+            FieldKind::Value(value) if is_number(value) => {
+                code!(#assembly.required(#text, self.#name)?)
+            }
+            FieldKind::Value(_) => {
+                code!(::std::sync::Arc::new(#assembly.required(#text, self.#name)?))
+            }
         };
         let stored = match &field.kind {
             FieldKind::Value(_) | FieldKind::Table => None,
@@ -169,41 +170,39 @@ impl<'m> Expansion<'m> {
     }
 
     fn empty_families(&self) -> TokenStream {
-        let model = self.model;
-        let names = model.params.iter().map(|p| p.name.clone());
-        let names = names.chain(model.vars.iter().map(|v| v.name.clone()));
-        let names = names.chain(model.defs.iter().map(|d| d.name.clone()));
-        let names = names.chain(self.lifted().map(Self::rows_of_lifted));
-        let names = names.chain(model.eqs.iter().map(|e| e.name.clone()));
-        let names = names.chain(model.reports.iter().map(|r| r.name.clone()));
-        code!(#(#names: ::core::default::Default::default(),)*)
+        let families = self.families().map(|(name, kind, _)| {
+            let kind = format_ident!("{kind}");
+            code!(#name: ::mcp_core::language::#kind::EMPTY,)
+        });
+        families.collect()
     }
 
-    fn param(&self, param: &Param, assembly: &Ident) -> TokenStream {
+    fn param(&self, k: usize, param: &Param, assembly: &Ident) -> TokenStream {
         let model = Self::local("model");
-        let (name, text) = (&param.name, label(&param.name));
-        let sets = Self::sets_of(&param.over);
+        let (name, text) = (&param.name, text(&label(&param.name), &param.attributes));
+        let (number, sets) = (self.model.fields.len() + k, Self::sets_of(&param.over));
         let values = match &param.value {
-            None => {
-                code!(::mcp_core::language::table(#text, #sets, &self.#name)?.values().to_vec())
-            }
+            None => code!(::core::option::Option::None),
             Some(value) => {
                 let value = self.each(&param.over, value);
-                code!(match &self.#name {
-                    ::core::option::Option::Some(table) => table.resolve(#text, #sets)?,
-                    ::core::option::Option::None => {
-                        ::mcp_core::language::Layout::new(#text, #sets)?.each(#value)
-                    }
-                })
+                code!(::core::option::Option::Some(#value))
             }
         };
-        let text = super::families::text(&text, &param.attributes);
-        code!(#model.#name.0.set(#assembly.parameter(#text, #sets, #values))?;)
+        code!(#model.#name.0.set(#assembly.parameter(#number, #text, #sets, #values));)
+    }
+
+    /// The number under which a field is given.
+    fn number_of(&self, field: &Field) -> usize {
+        self.model.fields.iter().take_while(|other| other.name != field.name).count()
     }
 
     /// A number for every element: a closure over the positions of its indices.
     pub(super) fn each(&self, over: &[Index], value: &TokenStream) -> TokenStream {
-        let (number, offered) = (self.number(value), self.offered_data());
+        let number = self.number(value);
+        if is_literal(value) {
+            return code!(&mut |_| #number);
+        }
+        let offered = self.offered_data();
         Self::at_each(over, &code!(#offered #number))
     }
 
@@ -230,6 +229,12 @@ impl<'m> Expansion<'m> {
             }
         })
     }
+}
+
+/// Whether this is one literal, which reads no index.
+fn is_literal(value: &TokenStream) -> bool {
+    let mut tokens = value.clone().into_iter();
+    matches!((tokens.next(), tokens.next()), (Some(TokenTree::Literal(_)), None))
 }
 
 /// The local that holds a field of the data while the model is built.

@@ -12,19 +12,24 @@ impl Expansion<'_> {
         let (model, builder) = (self.model, self.builder());
         let (visibility, name) = (&model.visibility, &model.name);
         let given: Vec<_> = self.given().collect();
+        let fields = given.iter().filter(|(_, _, given, _)| !given.is_converted());
         let fields =
-            given.iter().map(|(name, given, _)| code!(#name: ::core::option::Option<#given>,));
-        let setters = given.iter().map(|(name, given, about)| {
-            let (argument, value) = if given.is_converted() {
-                (code!(impl ::core::convert::Into<#given>), code!(value.into()))
+            fields.map(|(_, name, given, _)| code!(#name: ::core::option::Option<#given>,));
+        let setters = given.iter().map(|(k, name, given, about)| {
+            let (argument, give) = if given.is_converted() {
+                let give = code! {
+                    let value: #given = value.into();
+                    self.__given.give(#k, value);
+                };
+                (code!(impl ::core::convert::Into<#given>), give)
             } else {
-                (code!(#given), code!(value))
+                (code!(#given), code!(self.#name = ::core::option::Option::Some(value);))
             };
             code! {
                 #[doc = #about]
                 #[must_use]
                 #visibility fn #name(mut self, value: #argument) -> Self {
-                    self.#name = ::core::option::Option::Some(#value);
+                    #give
                     self
                 }
             }
@@ -41,6 +46,7 @@ impl Expansion<'_> {
             #[derive(::core::default::Default)]
             #[must_use = "`build()` makes the model"]
             #visibility struct #builder {
+                __given: ::mcp_core::language::Assembly,
                 #(#fields)*
             }
             #[allow(non_snake_case, reason = "methods are called as in the text of the model")]
@@ -55,9 +61,9 @@ impl Expansion<'_> {
         }
     }
 
-    /// What the builder takes: name, type and description.
-    fn given(&self) -> impl Iterator<Item = (&Ident, Given<'_>, String)> {
-        let fields = self.model.fields.iter().filter_map(|field| {
+    /// What the builder takes: number, name, type and description.
+    fn given(&self) -> impl Iterator<Item = (usize, &Ident, Given<'_>, String)> {
+        let fields = self.model.fields.iter().enumerate().filter_map(|(k, field)| {
             let (given, what) = match &field.kind {
                 FieldKind::Set | FieldKind::Ordered | FieldKind::Size => ("Labels", "set"),
                 FieldKind::Subset(_) => ("LabelSubset", "subset"),
@@ -66,7 +72,7 @@ impl Expansion<'_> {
                 FieldKind::Table => ("Table", "table"),
                 FieldKind::Value(value) => {
                     let about = about(&field.attributes, &format!("`{}`", field.name));
-                    return Some((&field.name, Given::User(value), about));
+                    return Some((k, &field.name, Given::User(value), about));
                 }
                 FieldKind::Labels(_) | FieldKind::Count(_) => return None,
             };
@@ -75,17 +81,19 @@ impl Expansion<'_> {
                 if sets.is_empty() { String::new() } else { format!("[{}]", sets.join(", ")) };
             let text = format!("The {what} `{}{sets}`", field.name);
             Some((
+                k,
                 &field.name,
                 Given::Input(format_ident!("{given}")),
                 about(&field.attributes, &text),
             ))
         });
-        let params = self.model.params.iter().map(|param| {
+        let first = self.model.fields.len();
+        let params = self.model.params.iter().enumerate().map(move |(k, param)| {
             let default =
                 if param.value.is_some() { ", in place of its value in the text" } else { "" };
             let text = format!("The parameter `{}{}`{default}", param.name, indices(&param.over));
             let given = Given::Input(format_ident!("Table"));
-            (&param.name, given, about(&param.attributes, &text))
+            (first + k, &param.name, given, about(&param.attributes, &text))
         });
         fields.chain(params)
     }

@@ -3,14 +3,13 @@
 use super::super::ast::{Bounds, Def, Eq, Fix, Index, Place, Var};
 use super::{Expansion, description, label};
 use proc_macro2::{Ident, TokenStream};
-use quote::ToTokens;
+use quote::{ToTokens, format_ident};
 
 impl Expansion<'_> {
     /// Lays a variable family out and declares it.
     pub(super) fn variable(&self, var: &Var, assembly: &Ident) -> TokenStream {
         let model = Self::local("model");
-        let (name, text) = (&var.name, label(&var.name));
-        let sets = Self::sets_of(&var.over);
+        let (name, sets) = (&var.name, Self::sets_of(&var.over));
         let condition = match &var.condition {
             None => code!(::core::option::Option::None),
             Some(condition) => {
@@ -21,32 +20,24 @@ impl Expansion<'_> {
                 code!(::core::option::Option::Some(#condition))
             }
         };
-        let bound = |value: &TokenStream| {
-            let value = self.each(&var.over, value);
-            code!(#model.#name.0.each(#value))
-        };
         let (lower, upper) = match &var.bounds {
             Bounds::Free => (None, None),
-            Bounds::Lower(lower) => (Some(bound(lower)), None),
-            Bounds::Upper(upper) => (None, Some(bound(upper))),
-            Bounds::Box(lower, upper) => (Some(bound(lower)), Some(bound(upper))),
+            Bounds::Lower(lower) => (Some(lower), None),
+            Bounds::Upper(upper) => (None, Some(upper)),
+            Bounds::Box(lower, upper) => (Some(lower), Some(upper)),
         };
-        let lower = lower.map(|lower| code!(#assembly.values.lower = #lower;));
-        let upper = upper.map(|upper| code!(#assembly.values.upper = #upper;));
-        let start = var.start.as_ref().map(|start| {
-            let start = bound(start);
-            code!(#assembly.values.start = #start;)
+        let values = [("lower", lower), ("upper", upper), ("start", var.start.as_ref())];
+        let values = values.into_iter().filter_map(|(method, value)| {
+            let (method, value) = (format_ident!("{method}"), self.each(&var.over, value?));
+            Some(code!(#assembly.#method(&#model.#name.0, #value);))
         });
         let fixes = self.model.fixes.iter().filter(|fix| fix.variable == var.name);
         let fixes = fixes.map(|fix| self.fix(fix, assembly));
-        let declared = self::text(&text, &var.attributes);
+        let text = text(&label(name), &var.attributes);
         code! {
-            #model.#name.0.set(#assembly.variables(#text, #sets, #condition))?;
-            #lower
-            #upper
-            #start
+            #model.#name.0.set(#assembly.variables(#text, #sets, #condition));
+            #(#values)*
             #(#fixes)*
-            #assembly.declare(#declared, #sets, &#model.#name.0);
         }
     }
 
@@ -63,16 +54,15 @@ impl Expansion<'_> {
         let sets = Self::sets_of(over.iter().copied());
         let body = code!((#model.#variable.place(#(#places),*), #value));
         let at_each = Self::at_each(over, &body);
-        code!(#assembly.fix(#text, #sets, #at_each)?;)
+        code!(#assembly.fix(#text, #sets, #at_each);)
     }
 
     pub(super) fn lifted_variable(def: &Def, assembly: &Ident) -> TokenStream {
         let model = Self::local("model");
-        let (name, text, sets) = (&def.name, label(&def.name), Self::sets_of(&def.over));
-        let declared = self::text(&text, &def.attributes);
+        let (name, sets) = (&def.name, Self::sets_of(&def.over));
+        let text = text(&label(name), &def.attributes);
         code! {
-            #model.#name.0.set(#assembly.variables(#text, #sets, ::core::option::Option::None))?;
-            #assembly.declare(#declared, #sets, &#model.#name.0);
+            #model.#name.0.set(#assembly.variables(#text, #sets, ::core::option::Option::None));
         }
     }
 
@@ -94,7 +84,29 @@ impl Expansion<'_> {
         };
         let at_each = Self::at_each(&eq.over, &body);
         let declared = text(&label(name), &eq.attributes);
-        code!(#model.#name.0.set(#assembly.equation(#declared, #sets, #paired, #at_each))?;)
+        if self.is_paired_in_order(eq) {
+            return code! {
+                #model.#name.0.set(
+                    #assembly.equation_like(#declared, #sets, #paired, &#model.#variable.0),
+                );
+                #[cfg(rust_analyzer)]
+                #assembly.equation(#declared, #sets, #paired, #at_each);
+            };
+        }
+        code!(#model.#name.0.set(#assembly.equation(#declared, #sets, #paired, #at_each));)
+    }
+
+    /// Whether an equation without condition has the sets of its variable, and each combination is
+    /// paired with the element of the same: then there is nothing to compute.
+    fn is_paired_in_order(&self, eq: &Eq) -> bool {
+        let sets = |over: &[Index]| over.iter().map(|index| index.set.clone()).collect::<Vec<_>>();
+        let variables = self.model.vars.iter().map(|var| (&var.name, &var.over));
+        let mut variables = variables.chain(self.lifted().map(|def| (&def.name, &def.over)));
+        let has_its_sets =
+            variables.any(|(name, over)| *name == eq.variable && sets(over) == sets(&eq.over));
+        let indices: Vec<String> = eq.over.iter().map(|index| index.name.to_string()).collect();
+        let pieces: Vec<String> = eq.pair.iter().map(ToString::to_string).collect();
+        eq.condition.is_none() && has_its_sets && indices == pieces
     }
 
     pub(super) fn lifted_rows(def: &Def, assembly: &Ident) -> TokenStream {
@@ -102,12 +114,12 @@ impl Expansion<'_> {
         let rows = Self::rows_of_lifted(def);
         let (sets, paired) = (Self::sets_of(&def.over), label(&def.name));
         let declared = text(&Self::lifted_equation(def), &def.attributes);
-        code!(#model.#rows.0.set(#assembly.lifted(#declared, #sets, #paired))?;)
+        code!(#model.#rows.0.set(#assembly.lifted(#declared, #sets, #paired));)
     }
 }
 
-/// `["x", "description", "unit"]`
+/// `&["x", "description", "unit"]`
 pub(super) fn text(name: &str, attributes: &[syn::Attribute]) -> TokenStream {
     let (about, unit) = description(attributes);
-    code!([#name, #about, #unit])
+    code!(&[#name, #about, #unit])
 }

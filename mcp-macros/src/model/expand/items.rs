@@ -26,11 +26,20 @@ impl Expansion<'_> {
 
     fn structure(&self) -> TokenStream {
         let super::super::ast::Model { attributes, visibility, name, .. } = self.model;
-        let fields = self.model.fields.iter().map(|field| {
-            let (name, stored) = (&field.name, self.stored(field));
-            code!(#name: #stored,)
+        // What drops without failing first: an unwinding drop is compiled for all that follows.
+        let is_table = |field: &&Field| matches!(field.kind, FieldKind::Table);
+        let (tables, fields): (Vec<_>, Vec<_>) = self.model.fields.iter().partition(is_table);
+        let [tables, fields] = [tables, fields].map(|fields| {
+            let field = |field: &Field| {
+                let (name, stored) = (&field.name, self.stored(field));
+                code!(#name: #stored,)
+            };
+            fields.into_iter().map(field).collect::<TokenStream>()
         });
-        let families = self.families();
+        let families = self.families().map(|(name, kind, over)| {
+            let (kind, sets) = (format_ident!("{kind}"), self.header(over));
+            code!(#name: ::mcp_core::language::#kind<#sets>,)
+        });
         let contents = self.contents();
         code! {
             #(#attributes)*
@@ -38,9 +47,10 @@ impl Expansion<'_> {
             #[allow(non_snake_case, reason = "fields are called as in the text of the model")]
             #[derive(::core::clone::Clone)]
             #visibility struct #name {
+                #(#families)*
+                #tables
+                #fields
                 __shape: ::mcp_core::Shape,
-                #(#fields)*
-                #families
             }
         }
     }
@@ -58,21 +68,17 @@ impl Expansion<'_> {
         }
     }
 
-    /// Fields for all families.
-    fn families(&self) -> TokenStream {
-        let family = |name: &Ident, kind: &str, over: &[Index]| {
-            let (kind, sets) = (format_ident!("{kind}"), self.header(over));
-            code!(#name: ::mcp_core::language::#kind<#sets>,)
-        };
+    /// All families: field, type and header.
+    pub(super) fn families(&self) -> impl Iterator<Item = (Ident, &'static str, &[Index])> {
         let model = self.model;
-        let params = model.params.iter().map(|p| family(&p.name, "Parameters", &p.over));
-        let vars = model.vars.iter().map(|v| family(&v.name, "Variables", &v.over));
-        let lifted = self.lifted().map(|d| family(&d.name, "Variables", &d.over));
-        let rows = self.lifted().map(|d| family(&Self::rows_of_lifted(d), "Rows", &d.over));
-        let defs = self.definitions().map(|d| family(&d.name, "Definitions", &d.over));
-        let eqs = model.eqs.iter().map(|e| family(&e.name, "Rows", &e.over));
-        let reports = model.reports.iter().map(|r| family(&r.name, "Rows", &r.over));
-        code!(#(#params)* #(#vars)* #(#lifted)* #(#rows)* #(#defs)* #(#eqs)* #(#reports)*)
+        let params = model.params.iter().map(|p| (p.name.clone(), "Parameters", &p.over[..]));
+        let vars = model.vars.iter().map(|v| (v.name.clone(), "Variables", &v.over[..]));
+        let lifted = self.lifted().map(|d| (d.name.clone(), "Variables", &d.over[..]));
+        let rows = self.lifted().map(|d| (Self::rows_of_lifted(d), "Rows", &d.over[..]));
+        let defs = self.definitions().map(|d| (d.name.clone(), "Definitions", &d.over[..]));
+        let eqs = model.eqs.iter().map(|e| (e.name.clone(), "Rows", &e.over[..]));
+        let reports = model.reports.iter().map(|r| (r.name.clone(), "Rows", &r.over[..]));
+        params.chain(vars).chain(lifted).chain(rows).chain(defs).chain(eqs).chain(reports)
     }
 
     /// What the model consists of, for its documentation.

@@ -3,7 +3,7 @@
 use super::super::ast::{Field, FieldKind, Index};
 use super::items::{about, indices};
 use super::{Expansion, label};
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::{Ident, Span, TokenStream};
 use quote::format_ident;
 use syn::Attribute;
 
@@ -12,9 +12,7 @@ struct Viewed<'a> {
     attributes: &'a [Attribute],
     name: &'a Ident,
     over: &'a [Index],
-    /// The method of `Evaluated` that reads it, and its number among its kind.
-    method: &'static str,
-    number: usize,
+    is_variable: bool,
 }
 
 impl Expansion<'_> {
@@ -28,9 +26,9 @@ impl Expansion<'_> {
             let about = about(&field.attributes, &format!("The table `{name}`"));
             code!(#[doc = #about] #visibility #name: ::mcp_core::language::Levels<#rank>,)
         });
-        let table_values = tables.iter().map(|field| {
+        let viewed_tables = tables.iter().map(|field| {
             let (name, text, sets) = (&field.name, label(&field.name), &field.over);
-            code!(#name: ::mcp_core::language::viewed_table(
+            code!((
                 #text,
                 &[#(::mcp_core::language::Members::set(&self.#sets)),*],
                 self.#name.values(),
@@ -40,27 +38,33 @@ impl Expansion<'_> {
             let (name, attributes, rank) = (family.name, family.attributes, family.over.len());
             let text = format!("`{name}{}`", indices(family.over));
             let text = if attributes.is_empty() { Some(code!(#[doc = #text])) } else { None };
-            let levels = match (rank, family.method) {
+            let levels = match (rank, family.is_variable) {
                 (0, _) => code!(f64),
-                (_, "variable") => code!(::mcp_core::language::VariableLevels<#rank>),
-                _ => code!(::mcp_core::language::Levels<#rank>),
+                (_, true) => code!(::mcp_core::language::VariableLevels<#rank>),
+                (_, false) => code!(::mcp_core::language::Levels<#rank>),
             };
             code!(#(#attributes)* #text #visibility #name: #levels,)
         });
         let values = viewed.iter().map(|family| {
-            let (name, method, k) =
-                (family.name, format_ident!("{}", family.method), family.number);
-            if family.over.is_empty() {
-                code!(#name: ::mcp_core::language::single(&at.#method(#k)),)
-            } else {
-                code!(#name: at.#method(#k),)
+            let (name, numbers) = (family.name, numbers(family.name));
+            match (family.over.len(), family.is_variable) {
+                (0, _) => code!(#name: #numbers.single(),),
+                (_, true) => code!(#name: ::mcp_core::language::VariableLevels(
+                    ::mcp_core::language::Levels(#numbers)
+                ),),
+                (_, false) => code!(#name: ::mcp_core::language::Levels(#numbers),),
             }
         });
+        let table_values = tables.iter().map(|field| {
+            let (name, numbers) = (&field.name, numbers(&field.name));
+            code!(#name: ::mcp_core::language::Levels(#numbers),)
+        });
+        let names = viewed.iter().map(|family| family.name);
+        let names = names.chain(tables.iter().map(|field| &field.name)).map(numbers);
         let about = format!(
             "A solution of [`{name}`] by the names of the model: variables, definitions, parameters, \
              reports and tables."
         );
-        let at = viewed.is_empty().then(|| code!(let _ = &at;));
         code! {
             #[doc = #about]
             #[allow(non_snake_case, reason = "fields are called as in the text of the model")]
@@ -80,8 +84,8 @@ impl Expansion<'_> {
                     &self,
                     solution: &::mcp_core::Solution,
                 ) -> ::core::result::Result<#view, ::mcp_core::ModelError> {
-                    let at = ::mcp_core::language::Evaluated::new(self, solution)?;
-                    #at
+                    let [#(#names),*] =
+                        ::mcp_core::language::viewed(self, solution, &[#(#viewed_tables)*])?;
                     ::core::result::Result::Ok(#view { #(#values)* #(#table_values)* })
                 }
             }
@@ -98,6 +102,7 @@ impl Expansion<'_> {
             .collect()
     }
 
+    /// Families in the order of `viewed` in `mcp_core`.
     fn viewed(&self) -> Vec<Viewed<'_>> {
         let model = self.model;
         let vars = model.vars.iter().map(|v| (&v.attributes[..], &v.name, &v.over[..]));
@@ -105,22 +110,19 @@ impl Expansion<'_> {
         let defs = self.definitions().map(|d| (&d.attributes[..], &d.name, &d.over[..]));
         let params = model.params.iter().map(|p| (&p.attributes[..], &p.name, &p.over[..]));
         let reports = model.reports.iter().map(|r| (&r.attributes[..], &r.name, &r.over[..]));
-        let viewed = numbered("variable", vars.chain(lifted)).chain(numbered("definition", defs));
-        let viewed = viewed.chain(numbered("parameter", params));
-        viewed.chain(numbered("report", reports)).collect()
+        let variables = vars.chain(lifted).map(|family| (family, true));
+        let others = defs.chain(params).chain(reports).map(|family| (family, false));
+        let viewed = |((attributes, name, over), is_variable)| Viewed {
+            attributes,
+            name,
+            over,
+            is_variable,
+        };
+        variables.chain(others).map(viewed).collect()
     }
 }
 
-/// Families of a kind with their numbers.
-fn numbered<'a>(
-    method: &'static str,
-    families: impl Iterator<Item = (&'a [Attribute], &'a Ident, &'a [Index])>,
-) -> impl Iterator<Item = Viewed<'a>> {
-    families.enumerate().map(move |(number, (attributes, name, over))| Viewed {
-        attributes,
-        name,
-        over,
-        method,
-        number,
-    })
+/// The local with the numbers of a family.
+fn numbers(family: &Ident) -> Ident {
+    format_ident!("numbers_{}", family, span = Span::mixed_site())
 }
