@@ -43,13 +43,17 @@
 //! | \[Ahn83\] | B.-H. Ahn (1983), Iterative methods for linear complementarity problems with upper bounds on primary variables. Math. Prog. 26 |
 //! | \[BG12\] | I. Ben Gharbia, J. C. Gilbert (2012), Nonconvergence of the plain Newton-min algorithm for linear complementarity problems with a P-matrix. Math. Prog. 134 |
 //! | \[Bil95\] | S. C. Billups (1995), Algorithms for complementarity problems and generalized equations. PhD thesis, Wisconsin |
+//! | \[DF95\] | S. P. Dirkse, M. C. Ferris (1995), MCPLIB: a collection of nonlinear mixed complementarity problems. Optim. Methods Softw. 5 |
+//! | \[DM02\] | E. D. Dolan, J. J. Moré (2002), Benchmarking optimization software with performance profiles. Math. Prog. 91 |
 //! | \[Fat79\] | Y. Fathi (1979), Computational complexity of LCPs associated with positive definite symmetric matrices. Math. Prog. 17 |
 //! | \[Fis92\] | A. Fischer (1992), A special Newton-type optimization method. Optimization 24 |
 //! | \[FP03\] | F. Facchinei, J.-S. Pang (2003), Finite-Dimensional Variational Inequalities and Complementarity Problems. Springer |
 //! | \[GLL86\] | L. Grippo, F. Lampariello, S. Lucidi (1986), A nonmonotone line search technique for Newton's method. SIAM J. Numer. Anal. 23 |
 //! | \[GV13\] | G. H. Golub, C. F. Van Loan (2013), Matrix Computations, 4th ed. Johns Hopkins |
+//! | \[HS81\] | W. Hock, K. Schittkowski (1981), Test Examples for Nonlinear Programming Codes. Springer |
 //! | \[KK98\] | C. Kanzow, H. Kleinmichel (1998), A new class of semismooth Newton-type methods for nonlinear complementarity problems. Comput. Optim. Appl. 11 |
 //! | \[Mat85\] | L. Mathiesen (1985), Computation of economic equilibria by a sequence of linear complementarity problems. Math. Prog. Study 23 |
+//! | \[MGH81\] | J. J. Moré, B. S. Garbow, K. E. Hillstrom (1981), Testing unconstrained optimization software. ACM Trans. Math. Softw. 7 |
 //! | \[Mur78\] | K. G. Murty (1978), Computational complexity of complementary pivot methods. Math. Prog. Study 7 |
 //! | \[Rui01\] | D. Ruiz (2001), A scaling algorithm to equilibrate both rows and columns norms in matrices. RAL-TR-2001-034 |
 //! | \[Rut99\] | T. F. Rutherford (1999), Applied general equilibrium modeling with MPSGE as a GAMS subsystem. Comput. Econ. 14 |

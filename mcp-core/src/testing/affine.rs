@@ -36,6 +36,19 @@ impl Affine {
     pub fn sparse(q: Vec<f64>, rows: Vec<Vec<(usize, f64)>>) -> Result<Self, ModelError> {
         Ok(Affine { shape: equalities_first(q.len(), 0)?, rows, q })
     }
+
+    /// With bounds; `M` given by its nonzeros, row by row, and the start moved into the box.
+    ///
+    /// # Errors
+    /// As [`Shape::anonymous`].
+    pub fn boxed(
+        bounds: (&[f64], &[f64]),
+        start: &[f64],
+        q: Vec<f64>,
+        rows: Vec<Vec<(usize, f64)>>,
+    ) -> Result<Self, ModelError> {
+        Ok(Affine { shape: Shape::anonymous(bounds.0, bounds.1, start)?, rows, q })
+    }
 }
 
 impl Model for Affine {
@@ -92,12 +105,16 @@ pub fn siconos_tridiagonal(equalities: usize, shifted: bool) -> Result<Known, Mo
 /// # Errors
 /// None in practice.
 pub fn murty(n: usize) -> Result<Known, ModelError> {
-    let m = |i: usize, j: usize| match i.cmp(&j) {
+    let model = Affine::new(0, vec![-1.0; n], murty_matrix)?;
+    from_zero(format!("murty-{n}"), model, vec![unit(n, n - 1)])
+}
+
+pub(super) fn murty_matrix(i: usize, j: usize) -> f64 {
+    match i.cmp(&j) {
         std::cmp::Ordering::Less => 2.0,
         std::cmp::Ordering::Equal => 1.0,
         std::cmp::Ordering::Greater => 0.0,
-    };
-    from_zero(format!("murty-{n}"), Affine::new(0, vec![-1.0; n], m)?, vec![unit(n, n - 1)])
+    }
 }
 
 /// Fathi's family: `MᵀM` of Murty's, symmetric positive definite, `q = −1`; solution `e_1`
@@ -115,13 +132,16 @@ pub fn fathi(n: usize) -> Result<Known, ModelError> {
 /// # Errors
 /// None in practice.
 pub fn ahn(n: usize) -> Result<Known, ModelError> {
-    let m = |i: usize, j: usize| match (i, j) {
+    from_zero(format!("ahn-{n}"), Affine::new(0, vec![-1.0; n], ahn_matrix)?, vec![])
+}
+
+pub(super) fn ahn_matrix(i: usize, j: usize) -> f64 {
+    match (i, j) {
         (i, j) if i == j => 4.0,
         (i, j) if j == i + 1 => -2.0,
         (i, j) if i == j + 1 => 1.0,
         _ => 0.0,
-    };
-    from_zero(format!("ahn-{n}"), Affine::new(0, vec![-1.0; n], m)?, vec![])
+    }
 }
 
 /// A P-matrix on which the pure Newton method of the min map cycles ([BG12](crate#references)): `q = 1` from
@@ -130,11 +150,14 @@ pub fn ahn(n: usize) -> Result<Known, ModelError> {
 /// # Errors
 /// None in practice.
 pub fn cyclic(q: f64) -> Result<Known, ModelError> {
-    let m = |i: usize, j: usize| [[1.0, 0.0, 2.0], [2.0, 1.0, 0.0], [0.0, 2.0, 1.0]][i][j];
     let solution = if q > 0.0 { vec![0.0; 3] } else { vec![1.0 / 3.0; 3] };
-    let model = Affine::new(0, vec![q; 3], m)?;
+    let model = Affine::new(0, vec![q; 3], cyclic_matrix)?;
     let starts = vec![vec![-q, 0.0, 0.0], vec![0.0; 3]];
     Known::new(format!("cyclic({q})"), model, starts, vec![solution])
+}
+
+pub(super) fn cyclic_matrix(i: usize, j: usize) -> f64 {
+    [[1.0, 0.0, 2.0], [2.0, 1.0, 0.0], [0.0, 2.0, 1.0]][i][j]
 }
 
 /// The Hilbert matrix with `q = −1`: positive definite, condition 10¹⁰ at `n = 8`.
@@ -142,8 +165,12 @@ pub fn cyclic(q: f64) -> Result<Known, ModelError> {
 /// # Errors
 /// None in practice.
 pub fn hilbert(n: usize) -> Result<Known, ModelError> {
-    let m = |i: usize, j: usize| 1.0 / (i + j + 1) as f64;
-    from_zero(format!("hilbert-{n}"), Affine::new(0, vec![-1.0; n], m)?, vec![])
+    let model = Affine::new(0, vec![-1.0; n], hilbert_matrix)?;
+    from_zero(format!("hilbert-{n}"), model, vec![])
+}
+
+pub(super) fn hilbert_matrix(i: usize, j: usize) -> f64 {
+    1.0 / (i + j + 1) as f64
 }
 
 /// Membrane over an obstacle on a `k × k` interior grid: `−Δu = −10`, `u >= ψ`,

@@ -53,13 +53,29 @@ fn starts() -> Vec<Vec<f64>> {
     ]
 }
 
+pub(super) fn kojima_shindo_model() -> Result<impl Model + 'static, ModelError> {
+    Ok(Quadratic { shape: square(4, 0.0)?, c: [10.0, 9.0, 9.0] })
+}
+
+pub(super) fn josephy_model() -> Result<impl Model + 'static, ModelError> {
+    Ok(Quadratic { shape: square(4, 0.0)?, c: [3.0, 3.0, 1.0] })
+}
+
+pub(super) fn watson4_model() -> Result<impl Model + 'static, ModelError> {
+    Ok(Watson4(square(5, 0.0)?))
+}
+
+pub(super) fn billups_model() -> Result<impl Model + 'static, ModelError> {
+    Ok(Billups(square(1, 0.0)?))
+}
+
 /// Kojima & Shindo (1986): a degenerate solution `(√6/2, 0, 0, ½)` and a regular one
 /// `(1, 0, 3, 0)`.
 ///
 /// # Errors
 /// None in practice.
 pub fn kojima_shindo() -> Result<Known, ModelError> {
-    let model = Quadratic { shape: square(4, 0.0)?, c: [10.0, 9.0, 9.0] };
+    let model = kojima_shindo_model()?;
     let degenerate = vec![1.5_f64.sqrt(), 0.0, 0.0, 0.5];
     Known::new("kojima-shindo", model, starts(), vec![degenerate, vec![1.0, 0.0, 3.0, 0.0]])
 }
@@ -69,8 +85,7 @@ pub fn kojima_shindo() -> Result<Known, ModelError> {
 /// # Errors
 /// None in practice.
 pub fn josephy() -> Result<Known, ModelError> {
-    let model = Quadratic { shape: square(4, 0.0)?, c: [3.0, 3.0, 1.0] };
-    Known::new("josephy", model, starts(), vec![vec![1.5_f64.sqrt(), 0.0, 0.0, 0.5]])
+    Known::new("josephy", josephy_model()?, starts(), vec![vec![1.5_f64.sqrt(), 0.0, 0.0, 0.5]])
 }
 
 struct Watson4(Shape);
@@ -92,7 +107,7 @@ impl Model for Watson4 {
 /// None in practice.
 pub fn watson4() -> Result<Known, ModelError> {
     let starts = vec![vec![0.0; 5], vec![1.0; 5]];
-    Known::new("watson-4", Watson4(square(5, 0.0)?), starts, vec![vec![0.0, 0.0, 1.0, 2.0, 3.0]])
+    Known::new("watson-4", watson4_model()?, starts, vec![vec![0.0, 0.0, 1.0, 2.0, 3.0]])
 }
 
 struct Billups(Shape);
@@ -113,7 +128,7 @@ impl Model for Billups {
 /// None in practice.
 pub fn billups() -> Result<Known, ModelError> {
     let starts = [0.0, 0.5, 0.9, 1.5, 3.0].map(|z| vec![z]).to_vec();
-    Known::new("billups", Billups(square(1, 0.0)?), starts, vec![vec![1.0 + 1.01_f64.sqrt()]])
+    Known::new("billups", billups_model()?, starts, vec![vec![1.0 + 1.01_f64.sqrt()]])
 }
 
 struct LogEquation(Shape);

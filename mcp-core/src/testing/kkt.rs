@@ -23,7 +23,13 @@ pub fn nocedal_16_4() -> Result<Known, ModelError> {
     Known::new("nocedal-16.4", model, vec![vec![0.0; 7]], vec![solution])
 }
 
-struct RosenSuzuki(Shape);
+pub(super) struct RosenSuzuki(Shape);
+
+impl RosenSuzuki {
+    pub(super) fn new() -> Result<Self, ModelError> {
+        Ok(RosenSuzuki(equalities_first(7, 4)?))
+    }
+}
 
 impl Model for RosenSuzuki {
     const WHOLE: Option<usize> = Some(7);
@@ -55,7 +61,6 @@ impl Model for RosenSuzuki {
 /// # Errors
 /// None in practice.
 pub fn rosen_suzuki() -> Result<Known, ModelError> {
-    let model = RosenSuzuki(equalities_first(7, 4)?);
     let solution = vec![0.0, 1.0, 2.0, -1.0, 1.0, 0.0, 2.0];
-    Known::new("rosen-suzuki", model, vec![vec![0.0; 7]], vec![solution])
+    Known::new("rosen-suzuki", RosenSuzuki::new()?, vec![vec![0.0; 7]], vec![solution])
 }

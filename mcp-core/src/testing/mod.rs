@@ -1,5 +1,8 @@
 //! Known problems with published starts and solutions (feature `testing`).
 //!
+//! [`collection`] has 237 problems and [`judge()`] says whether a point solves one of them; below are
+//! problems of the Siconos comparison, in sizes of your choice.
+//!
 //! For tests and benchmarks of solvers: every problem says where it comes from, and a solution found
 //! is accepted by the certificate, not by comparison with one known point: several problems have
 //! more than one solution.
@@ -16,6 +19,8 @@
 
 mod affine;
 mod classic;
+pub mod collection;
+mod judge;
 mod kkt;
 mod zhuravlev_ivanov;
 
@@ -23,6 +28,7 @@ pub use affine::{
     Affine, ahn, cyclic, fathi, hilbert, murty, obstacle, siconos_2x2, siconos_tridiagonal,
 };
 pub use classic::{billups, josephy, kojima_shindo, log_equation, watson4};
+pub use judge::{Enumeration, Judgement, enumerate_affine, judge};
 pub use kkt::{nocedal_16_4, rosen_suzuki};
 pub use zhuravlev_ivanov::{ZhuravlevIvanov, zhuravlev_ivanov_step};
 
