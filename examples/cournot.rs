@@ -55,7 +55,7 @@ impl Cournot {
 
 fn main() -> Result<(), Box<dyn Error>> {
     let model = Cournot::new()?;
-    for method in Method::ALL {
+    for method in Method::CLASSICAL {
         let solution = solve(&model, &Options::new(method))?.solved()?;
         let stats = solution.stats;
         println!(

@@ -74,7 +74,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let regular = [1.0, 0.0, 3.0, 0.0];
 
     println!("method         start              iterations    F    J  residual  status  ends at");
-    for (method, expected) in Method::ALL.into_iter().zip(ENDS) {
+    for (method, expected) in Method::CLASSICAL.into_iter().zip(ENDS) {
         let mut ends = String::new();
         for start in STARTS {
             let options = Options::new(method);

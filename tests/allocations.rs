@@ -104,6 +104,9 @@ impl Model for Ring {
     }
 }
 
+/// Lemke's method solves affine problems only.
+const METHODS: [Method; 4] = [Method::Robust, Method::NewtonFb, Method::NewtonMinFb, Method::OldFb];
+
 fn from_start(known: Result<Known, ModelError>) -> Box<dyn Problem> {
     known.expect("the problems are well formed").problem
 }
@@ -131,11 +134,13 @@ fn nothing_is_allocated_from_the_second_solve_on() {
     for (mut problem, linear) in problems() {
         let n = problem.shape().n();
         let other = vec![0.5; n];
-        for method in Method::ALL {
+        for method in METHODS {
             let case = format!("{method} {linear} n = {n}");
             assert_eq!(Linear::Auto.resolve(problem.pattern()), linear, "{case}");
             let mut solver = Solver::new(siconos(method)).unwrap();
             assert!(solver.solve(&mut problem).unwrap().is_solved(), "{case}");
+            // From another start Robust may enter a stage, and its memory, for the first time.
+            solver.solve_from(&mut problem, &other).unwrap();
             let again = allocations(|| {
                 for _ in 0..3 {
                     solver.solve(&mut problem).unwrap();
@@ -150,7 +155,7 @@ fn nothing_is_allocated_from_the_second_solve_on() {
 #[test]
 fn a_solution_kept_or_dropped_changes_nothing() {
     let mut problem = ring(40);
-    for method in Method::ALL {
+    for method in METHODS {
         let mut solver = Solver::new(siconos(method)).unwrap();
         let kept = solver.solve(&mut problem).unwrap().clone();
         let mut again = || {
@@ -168,7 +173,7 @@ fn a_solution_kept_or_dropped_changes_nothing() {
 #[test]
 fn a_monitor_that_allocates_nothing_changes_nothing() {
     let mut problem = ring(40);
-    for method in Method::ALL {
+    for method in METHODS {
         let mut solver = Solver::new(siconos(method)).unwrap();
         solver.solve(&mut problem).unwrap();
         let mut worst = 0.0_f64;
@@ -204,7 +209,7 @@ fn an_evaluation_never_allocates() {
 
 #[test]
 fn a_failing_solve_allocates_at_most_its_report_of_the_fault() {
-    for method in Method::ALL {
+    for method in Method::CLASSICAL {
         // No fault to report: stationary, stalled, limited.
         let mut billups = testing::billups().unwrap();
         let mut solver = Solver::new(siconos(method)).unwrap();
@@ -239,7 +244,7 @@ fn a_failing_solve_allocates_at_most_its_report_of_the_fault() {
 
 #[test]
 fn a_smaller_and_a_larger_problem_in_turn_are_solved_as_if_alone() {
-    for method in Method::ALL {
+    for method in METHODS {
         let mut solver = Solver::new(siconos(method)).unwrap();
         let mut problems = [ring(10), ring(40), ring(4), ring(120)];
         let alone: Vec<_> = problems

@@ -27,7 +27,7 @@ fn josephy<D: Scalar>([a, b, c, d]: [Real<D>; 4]) -> [Real<D>; 4] {
 #[test]
 fn every_entry_point_gives_the_same_solution() {
     let model = Josephy::new().unwrap();
-    for method in Method::ALL {
+    for method in Method::CLASSICAL {
         let options = siconos(method);
         let mut problem = AdProblem::new(&model).unwrap();
         let reference = mcp_core::solve(&model, &options).unwrap();
@@ -53,7 +53,7 @@ fn every_criterion_ends_a_solve() {
         Criterion::FbNormAndStationarity,
         Criterion::NaturalResidual,
     ];
-    for method in Method::ALL {
+    for method in Method::CLASSICAL {
         for criterion in criteria {
             let mut problem = AdProblem::new(Josephy::new().unwrap()).unwrap();
             let options = siconos(method).with(|o| o.criterion = criterion);
@@ -73,7 +73,7 @@ fn every_criterion_ends_a_solve() {
 /// At a stationary point that is no solution the criterion is met and the certificate refuses.
 #[test]
 fn a_criterion_does_not_decide() {
-    for method in Method::ALL {
+    for method in Method::CLASSICAL {
         let options = siconos(method).with(|o| o.criterion = Criterion::Stationarity);
         let mut hill = scalar(FREE, 0.0, |z| (z * z + 1.0, 2.0 * z));
         assert_eq!(solve(&mut hill, &options).status, Status::SingularSystem, "{method}");
@@ -89,7 +89,7 @@ fn a_criterion_does_not_decide() {
 
 #[test]
 fn without_an_absolute_tolerance_the_relative_one_decides() {
-    for method in Method::ALL {
+    for method in Method::CLASSICAL {
         for relative in [1e-3, 1e-8, 1e-13] {
             let options = siconos(method).with(|o| {
                 o.tol = None;
@@ -119,14 +119,14 @@ fn path(method: Method, edit: impl FnOnce(&mut Options)) -> Vec<common::Seen> {
 fn every_constant_is_used() {
     type Edit = fn(&mut Options);
     let edits: [(&str, Edit, &[Method]); 8] = [
-        ("armijo.first_step", |o| o.armijo.first_step = 0.5, &Method::ALL),
-        ("armijo.reduction", |o| o.armijo.reduction = 0.3, &Method::ALL),
-        ("armijo.slope_share", |o| o.armijo.slope_share = 0.45, &Method::ALL[..2]),
-        ("descent.rho", |o| o.descent.rho = 1e3, &Method::ALL),
-        ("descent.p", |o| o.descent.p = 30.0, &Method::ALL),
-        ("full_step", |o| o.full_step = 1e-3, &Method::ALL[..2]),
-        ("nonmonotone", |o| o.nonmonotone = Nonmonotone::Max, &Method::ALL[..2]),
-        ("max_iterations", |o| o.max_iterations = 3, &Method::ALL),
+        ("armijo.first_step", |o| o.armijo.first_step = 0.5, &Method::CLASSICAL),
+        ("armijo.reduction", |o| o.armijo.reduction = 0.3, &Method::CLASSICAL),
+        ("armijo.slope_share", |o| o.armijo.slope_share = 0.45, &Method::CLASSICAL[..2]),
+        ("descent.rho", |o| o.descent.rho = 1e3, &Method::CLASSICAL),
+        ("descent.p", |o| o.descent.p = 30.0, &Method::CLASSICAL),
+        ("full_step", |o| o.full_step = 1e-3, &Method::CLASSICAL[..2]),
+        ("nonmonotone", |o| o.nonmonotone = Nonmonotone::Max, &Method::CLASSICAL[..2]),
+        ("max_iterations", |o| o.max_iterations = 3, &Method::CLASSICAL),
     ];
     for (name, edit, methods) in edits {
         for &method in methods {
@@ -213,7 +213,7 @@ impl LinearSolver for Spy {
 
 #[test]
 fn the_callers_linear_solver_is_used_and_kept() {
-    for method in Method::ALL {
+    for method in Method::CLASSICAL {
         let calls = Rc::new(Cell::new([0; 3]));
         let spy = Spy { inner: NalgebraLu::new(), calls: calls.clone(), refuses: 8 };
         let mut solver = Solver::with_linear_solver(siconos(method), Box::new(spy)).unwrap();
@@ -248,7 +248,7 @@ fn the_callers_linear_solver_is_used_and_kept() {
 
 #[test]
 fn a_solver_that_saw_other_problems_gives_the_bits_of_a_new_one() {
-    for method in Method::ALL {
+    for method in Method::CLASSICAL {
         for kind in [Nonmonotone::Off, Nonmonotone::Max, Nonmonotone::ZhangHager] {
             let options = siconos(method).with(|o| o.nonmonotone = kind);
             let mut shared = Solver::new(options.clone()).unwrap();
@@ -268,7 +268,7 @@ fn a_solver_that_saw_other_problems_gives_the_bits_of_a_new_one() {
 #[test]
 fn bounds_changed_between_solves_are_seen() {
     let mut problem = AdProblem::new(Josephy::new().unwrap()).unwrap();
-    for method in Method::ALL {
+    for method in Method::CLASSICAL {
         let mut solver = Solver::new(siconos(method)).unwrap();
         let inf = f64::INFINITY;
         for upper in [inf, 1.0, 0.25, inf] {
@@ -283,7 +283,7 @@ fn bounds_changed_between_solves_are_seen() {
 
 #[test]
 fn an_overflowing_merit_is_no_solution() {
-    for method in Method::ALL {
+    for method in Method::CLASSICAL {
         // F = e^400 at the start: its square overflows.
         let mut steep = scalar(FREE, 400.0, |z| (z.exp() - 1.0, z.exp()));
         let solution = solve(&mut steep, &siconos(method));

@@ -21,7 +21,7 @@ fn log(z: f64) -> (f64, f64) {
 /// (`log z = 0` from 3: info 0, `z = −0.296`).
 #[test]
 fn d01_nan_is_never_success() {
-    for method in Method::ALL {
+    for method in Method::CLASSICAL {
         // The derivative 1/z is finite where log z is NaN: only F can tell.
         let mut problem = scalar(FREE, 3.0, log);
         let (solution, seen) = watch(&mut problem, None, &siconos(method));
@@ -44,7 +44,7 @@ fn d01_nan_is_never_success() {
 /// D1, of a fixed variable: its equation is not part of `Φ`, which must not hide its NaN.
 #[test]
 fn d01_nan_in_the_equation_of_a_fixed_variable_is_not_overlooked() {
-    for method in Method::ALL {
+    for method in Method::CLASSICAL {
         // The full step from 0 ends at 4, where the second equation holds and the first is NaN.
         let mut problem = dense(&[(1.0, 1.0), FREE], &[1.0, 0.0], |z, f, jac| {
             f.copy_from_slice(&[if z[1] > 3.0 { f64::NAN } else { 0.0 }, z[1] - 4.0]);
@@ -142,7 +142,7 @@ fn cramer(h: [[f64; 3]; 3], r: [f64; 3]) -> [f64; 3] {
 /// D5: with `α_min = 0` a search that meets only NaN never ends.
 #[test]
 fn d05_every_line_search_ends() {
-    for method in Method::ALL {
+    for method in Method::CLASSICAL {
         let none = Options::new(method).with(|o| o.armijo.smallest_step = 0.0);
         let error = Solver::new(none).err();
         assert!(matches!(error, Some(ModelError::Option { option: "armijo.smallest_step", .. })));
@@ -162,7 +162,7 @@ fn d06_sparse_jacobians_are_solved_by_a_sparse_solver() {
     let mut known = testing::obstacle(12).unwrap();
     let pattern = known.problem.pattern().with_diagonal().pattern;
     assert_eq!(Linear::Auto.resolve(&pattern), Linear::FaerSparse);
-    for method in Method::ALL {
+    for method in Method::CLASSICAL {
         let dense =
             solve(&mut known.problem, &siconos(method).with(|o| o.linear = Linear::Nalgebra));
         for linear in [Linear::Auto, Linear::FaerSparse, Linear::FaerDense] {
@@ -178,7 +178,7 @@ fn d06_sparse_jacobians_are_solved_by_a_sparse_solver() {
 /// D7: a singular system ends 700 at once and keeps 701 and 710 in place for 1000 iterations.
 #[test]
 fn d07_a_singular_system_is_left_or_named() {
-    for method in Method::ALL {
+    for method in Method::CLASSICAL {
         let parabola = |z: f64| (z * z - 1.0, 2.0 * z);
         let stuck = solve(&mut scalar(FREE, 0.0, parabola), &siconos(method));
         assert_eq!(stuck.status, Status::SingularSystem, "{method}");
@@ -202,7 +202,7 @@ fn d07_a_singular_system_is_left_or_named() {
 /// D8: `√(a²+b²) − (a+b)` cancels: `φ(1e8, −1e-9)` is 0, and the loop ends too early.
 #[test]
 fn d08_a_small_residual_beside_a_large_variable_is_seen() {
-    for method in Method::ALL {
+    for method in Method::CLASSICAL {
         let mut problem = scalar(NONNEGATIVE, 1e8, |z| (1e-17 * (z - 2e8), 1e-17));
         let (_, seen) = watch(&mut problem, None, &siconos(method));
         assert!((seen[0].fb_norm / 1e-9 - 1.0).abs() < 1e-9, "{method}: {}", seen[0].fb_norm);
@@ -222,7 +222,7 @@ fn d09_a_nonmonotone_reference_never_demands_more_than_descent() {
             assert!(reference.value(merit) >= merit, "{kind:?} at {merit}");
         }
         assert!(reference.value(3.0) > 3.0, "{kind:?} allows an increase after larger merits");
-        for method in Method::ALL {
+        for method in Method::CLASSICAL {
             let mut known = testing::kojima_shindo().unwrap();
             let options = siconos(method).with(|o| o.nonmonotone = kind);
             for start in &known.starts[..3] {
@@ -254,7 +254,7 @@ fn d10_solves_do_not_know_of_each_other() {
     };
     let (mut a, mut b) = (chain(true), chain(false));
     assert_eq!(a.pattern().nnz(), b.pattern().nnz());
-    for method in Method::ALL {
+    for method in Method::CLASSICAL {
         let alone = [solve(&mut a, &siconos(method)), solve(&mut b, &siconos(method))];
         assert!(alone.iter().all(Solution::is_solved) && alone[0].z != alone[1].z, "{method}");
         let mut shared = Solver::new(siconos(method)).unwrap();
@@ -281,7 +281,7 @@ fn d11_the_slope_belongs_to_the_direction_taken() {
     // Monotone search: the merit never rises, whatever direction is taken.
     for mut known in [testing::kojima_shindo().unwrap(), testing::josephy().unwrap()] {
         for start in known.starts.clone() {
-            for method in Method::ALL {
+            for method in Method::CLASSICAL {
                 let (_, seen) = watch(&mut known.problem, Some(&start), &siconos(method));
                 assert!(seen.windows(2).all(|two| two[1].fb_norm < two[0].fb_norm), "{method}");
             }
@@ -292,7 +292,7 @@ fn d11_the_slope_belongs_to_the_direction_taken() {
 /// D13: without inequalities, LAPACK complains in every iteration.
 #[test]
 fn d13_pure_equations_are_solved() {
-    for method in Method::ALL {
+    for method in Method::CLASSICAL {
         // x² + y² = 5, x y = 2: (2, 1) from (3, 0.5).
         let mut problem = dense(&[FREE, FREE], &[3.0, 0.5], |z, f, jac| {
             f.copy_from_slice(&[z[0] * z[0] + z[1] * z[1] - 5.0, z[0] * z[1] - 2.0]);
@@ -367,7 +367,7 @@ fn d16_the_known_problems_are_nonlinear_and_nonsymmetric() {
         if known.solutions.is_empty() || !nonlinear(&mut known) {
             continue;
         }
-        for method in Method::ALL {
+        for method in Method::CLASSICAL {
             for start in known.starts.clone() {
                 let solution = solve_from(&mut known.problem, &start, &siconos(method));
                 let near = |known: &Vec<f64>| {

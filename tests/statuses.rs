@@ -4,8 +4,9 @@ mod common;
 
 use common::{FREE, INF, NONNEGATIVE, check_honest, dense, scalar, solve, solve_from, watch};
 use mcp_core::{
-    AdProblem, Iteration, Linear, LinearError, Method, ModelError, Options, Real, Scalar, Solution,
-    Solver, Stall, Status, Verdict, certify, mcp_fn, testing,
+    AdProblem, Diagnosis, Iteration, Linear, LinearError, Method, ModelError, Options, Problem,
+    Real, Scalar, Solution, Solver, Stage, StageEnd, Stall, Status, Verdict, certify, mcp_fn,
+    testing,
 };
 use std::collections::BTreeSet;
 use std::ops::ControlFlow;
@@ -76,7 +77,7 @@ fn endings(method: Method) -> Result<Vec<(Status, Solution)>, ModelError> {
 
 #[test]
 fn every_status_is_reached_by_every_method() {
-    for method in Method::ALL {
+    for method in Method::CLASSICAL {
         let endings = endings(method).unwrap();
         for (expected, solution) in &endings {
             assert_eq!(solution.status, *expected, "{method}: {:?}", solution.stats);
@@ -85,7 +86,12 @@ fn every_status_is_reached_by_every_method() {
             assert_eq!(has_fault, *expected == Status::DomainError, "{method} {expected}");
         }
         let reached: Vec<_> = endings.iter().map(|e| e.0).collect();
-        assert_eq!(reached, Status::ALL, "{method}");
+        assert_eq!(reached, Status::ALL[..reached.len()], "{method}");
+        // The others are those of Robust and Lemke.
+        assert_eq!(
+            Status::ALL[reached.len()..],
+            [Status::Diverged, Status::Ray, Status::NotAffine]
+        );
     }
 }
 
@@ -122,7 +128,7 @@ fn an_unsolved_solution_is_an_error_that_reads_as_a_sentence() {
 
 #[test]
 fn a_solution_at_infinity_is_never_solved() {
-    for method in Method::ALL {
+    for method in Method::CLASSICAL {
         for bounds in [FREE, NONNEGATIVE] {
             let mut problem = scalar(bounds, 1.0, reciprocal);
             let solution = solve(&mut problem, &far_sighted(method));
@@ -147,7 +153,7 @@ fn a_solution_at_infinity_is_never_solved() {
 /// A point that is no solution is not asymptotic either, with or without an absolute tolerance.
 #[test]
 fn a_large_residual_is_never_asymptotic() {
-    for method in Method::ALL {
+    for method in Method::CLASSICAL {
         for tol in [None, Some(1e-10)] {
             let o = options(method).with(|o| o.tol = tol);
             let solution = solve(&mut scalar(FREE, 0.0, |z| (z * z + 1.0, 2.0 * z)), &o);
@@ -167,7 +173,7 @@ fn a_large_residual_is_never_asymptotic() {
 /// Whether the gradient vanishes is a question without units.
 #[test]
 fn a_stationary_point_is_told_in_all_units() {
-    for method in Method::ALL {
+    for method in Method::CLASSICAL {
         for scale in [1e-6, 1.0, 1e6] {
             let hill = |z: f64| (scale * (z * z + 1.0), scale * 2.0 * z);
             let o = options(method).with(|o| o.descent.rho = 1e-300);
@@ -191,7 +197,7 @@ fn logarithms<D: Scalar>([x, y]: [Real<D>; 2]) -> [Real<D>; 2] {
 
 #[test]
 fn a_domain_error_at_the_start_names_equation_point_and_value() {
-    for method in Method::ALL {
+    for method in Method::CLASSICAL {
         // x + y = −0.5; moving y inside gives ln 0.5: the solve goes on from there.
         let mut problem = AdProblem::new(Logarithms::new().unwrap()).unwrap();
         let solution = solve(&mut problem, &options(method));
@@ -213,7 +219,7 @@ fn a_domain_error_at_the_start_names_equation_point_and_value() {
 #[test]
 fn an_infinite_derivative_at_the_start_moves_the_start_or_is_named() {
     let root = |z: f64| (z.sqrt() - 2.0, 0.5 / z.sqrt());
-    for method in Method::ALL {
+    for method in Method::CLASSICAL {
         let solution = solve(&mut scalar(NONNEGATIVE, 0.0, root), &options(method));
         assert!(solution.start_was_moved, "{method}");
         assert_eq!(solution.status, Status::Solved, "{method}");
@@ -232,7 +238,7 @@ fn moving_the_start_stays_in_the_box_and_happens_once() {
     // Undefined everywhere: each bound kind is moved once, by a tenth of the box or by 1.
     let bounds = [(0.0, INF), (-INF, 0.0), (0.0, 2.0), (0.0, 0.0), FREE];
     let mut problem = dense(&bounds, &[0.0, 0.0, 2.0, 0.0, 0.0], |_, f, _| f.fill(f64::NAN));
-    for method in Method::ALL {
+    for method in Method::CLASSICAL {
         let (solution, seen) = watch(&mut problem, None, &options(method));
         assert_eq!(solution.status, Status::DomainError, "{method}");
         assert!(solution.start_was_moved && seen.is_empty());
@@ -245,7 +251,7 @@ fn moving_the_start_stays_in_the_box_and_happens_once() {
 #[test]
 fn a_trial_outside_the_domain_is_a_shorter_step_not_an_end() {
     // The full step from 3 to −0.3 is outside, half of it is not.
-    for method in Method::ALL {
+    for method in Method::CLASSICAL {
         let mut known = testing::log_equation().unwrap();
         let (solution, seen) = watch(&mut known.problem, Some(&[3.0]), &options(method));
         assert_eq!((solution.status, solution.fault.is_some()), (Status::Solved, false));
@@ -255,7 +261,7 @@ fn a_trial_outside_the_domain_is_a_shorter_step_not_an_end() {
 
 #[test]
 fn trials_that_are_all_outside_the_domain_end_as_a_domain_error() {
-    for method in Method::ALL {
+    for method in Method::CLASSICAL {
         // Defined up to 0, where it starts; Newton's step 1 leads out, however short.
         let mut edge =
             scalar(FREE, 0.0, |z| if z > 0.0 { (f64::NAN, 1.0) } else { (z - 1.0, 1.0) });
@@ -279,7 +285,7 @@ fn trials_that_are_all_outside_the_domain_end_as_a_domain_error() {
 
 #[test]
 fn an_infinite_derivative_at_one_trial_is_a_shorter_step() {
-    for method in Method::ALL {
+    for method in Method::CLASSICAL {
         // Beyond 1.5 the derivative is infinite; the root is 1, the first full step goes to 2.
         let f = |z: f64| (z * z - 1.0, if z > 1.2 { INF } else { 2.0 * z });
         let mut problem = scalar(FREE, 0.28, f);
@@ -320,7 +326,7 @@ fn input_that_is_wrong_is_an_error_before_iteration_0() {
 
 #[test]
 fn limits_of_zero_end_at_the_start_unless_it_is_a_solution() {
-    for method in Method::ALL {
+    for method in Method::CLASSICAL {
         for limit in [
             options(method).with(|o| o.max_iterations = 0),
             options(method).with(|o| o.time_limit = Some(Duration::ZERO)),
@@ -331,4 +337,117 @@ fn limits_of_zero_end_at_the_start_unless_it_is_a_solution() {
             assert_eq!(solve(&mut scalar(FREE, 1.0, parabola), &limit).status, Status::Solved);
         }
     }
+}
+
+/// `−e^−z ⟂ z >= 0` and the KKT system of problem 13 of Hock & Schittkowski (1981), which has no
+/// multipliers: both have points with a residual as small as one likes, far away, and no solution.
+#[test]
+fn robust_does_not_claim_a_solution_at_infinity() {
+    let robust = Options::new(Method::Robust);
+    for bounds in [FREE, NONNEGATIVE] {
+        for start in [0.0, 1.0, 30.0] {
+            let solution = solve(&mut scalar(bounds, start, decay), &robust);
+            assert!(!solution.is_solved(), "{bounds:?} {start}: {:?}", solution.z);
+            let solution = solve(&mut scalar(bounds, start.max(1.0), reciprocal), &robust);
+            assert!(!solution.is_solved(), "{bounds:?} {start}: {:?}", solution.z);
+        }
+    }
+    // min (x − 2)² + y² under (1 − x)³ − y >= 0, x, y >= 0: the cusp (1, 0).
+    for start in [[0.0, 0.0, 0.0], [-2.0, -2.0, 0.0], [1.0, 0.0, 1.0], [0.5, 0.5, 100.0]] {
+        let mut hs13 = dense(&[NONNEGATIVE; 3], &start, |z, f, jac| {
+            let [x, y, u] = [z[0], z[1], z[2]];
+            let gap = 1.0 - x;
+            f.copy_from_slice(&[
+                2.0 * (x - 2.0) + 3.0 * u * gap * gap,
+                2.0 * y + u,
+                gap * gap * gap - y,
+            ]);
+            jac.copy_from_slice(&[
+                2.0 - 6.0 * u * gap,
+                0.0,
+                -3.0 * gap * gap,
+                0.0,
+                2.0,
+                -1.0,
+                3.0 * gap * gap,
+                1.0,
+                0.0,
+            ]);
+        });
+        let solution = solve(&mut hs13, &robust);
+        assert!(!solution.is_solved(), "{start:?}: {:?}", solution.z);
+    }
+}
+
+#[test]
+fn robust_says_that_only_the_absolute_tolerance_is_not_met() {
+    let mut huge = scalar(NONNEGATIVE, 2.0, |z| (1e12 * (z * z - 2.0), 2e12 * z));
+    let relative = Options::new(Method::Robust);
+    assert_eq!(solve(&mut huge, &relative).status, Status::Solved);
+    let solution = solve(&mut huge, &relative.with(|o| o.tol = Some(1e-10)));
+    assert_eq!(solution.status, Status::LineSearchFailed);
+    assert!(solution.certificate.relative_residual < 1e-14, "{:?}", solution.certificate);
+    assert!(solution.stats.jacobian_evaluations < 20, "{:?}", solution.stats);
+}
+
+#[test]
+fn robust_names_what_can_move_together() {
+    // Only the difference of the two is determined, and it would have to be 0 and 1.
+    let mut problem = dense(&[FREE, FREE], &[3.0, 1.0], |z, f, jac| {
+        f.copy_from_slice(&[z[0] - z[1], z[0] - z[1] - 1.0]);
+        jac.copy_from_slice(&[1.0, 1.0, -1.0, -1.0]);
+    });
+    let solution = solve(&mut problem, &Options::new(Method::Robust));
+    assert_eq!(solution.status, Status::SingularSystem);
+    let Some(Diagnosis::Singular { null_vector, .. }) = &solution.diagnosis else {
+        panic!("{:?}", solution.diagnosis);
+    };
+    let mut entries = null_vector.clone();
+    entries.sort_by_key(|entry| entry.0);
+    assert_eq!([entries[0].0, entries[1].0], [0, 1]);
+    assert!((entries[0].1 / entries[1].1 - 1.0).abs() < 1e-6, "{entries:?}");
+    let text = solution.diagnosis.as_ref().unwrap().describe(problem.shape());
+    assert!(text.contains("`z[1]`") && text.contains("`z[2]`"), "{text}");
+    assert_eq!(solution.stages.last().unwrap().end, StageEnd::Budget);
+}
+
+#[test]
+fn lemke_reports_a_ray_and_refuses_what_is_not_affine() {
+    let lemke = Options::new(Method::Lemke);
+    // −1 ⟂ z₁ >= 0: positive semidefinite, so no solution exists.
+    let mut infeasible = common::affine(
+        vec![vec![0.0, 0.0], vec![0.0, 1.0]],
+        vec![-1.0, -1.0],
+        &[NONNEGATIVE; 2],
+        &[0.0; 2],
+    );
+    let solution = solve(&mut infeasible, &lemke);
+    assert_eq!(solution.status, Status::Ray);
+    let Some(Diagnosis::Ray { direction }) = &solution.diagnosis else {
+        panic!("{:?}", solution.diagnosis);
+    };
+    assert!(direction[0].0 == 0 && direction[0].1 > 0.0, "{direction:?}");
+    let solution = solve(&mut scalar(FREE, 3.0, parabola), &lemke);
+    assert_eq!(solution.status, Status::NotAffine);
+}
+
+#[test]
+fn robust_records_its_stages_and_ends_at_limits() {
+    let mut billups = testing::billups().unwrap();
+    let robust = Options::new(Method::Robust);
+    let solution = solve_from(&mut billups.problem, &[0.0], &robust);
+    assert!(solution.is_solved());
+    assert_eq!(solution.stages[0].stage, Stage::Crash);
+    let last = solution.stages.last().unwrap();
+    assert_eq!(last.end, StageEnd::Ended);
+    let steps: usize = solution.stages.iter().map(|stage| stage.iterations).sum();
+    assert_eq!(steps, solution.stats.iterations);
+
+    let few = robust.clone().with(|o| o.robust.jacobians = 5);
+    let solution = solve_from(&mut billups.problem, &[0.0], &few);
+    assert_eq!(solution.status, Status::IterationLimit);
+    assert!(solution.stats.jacobian_evaluations <= 6, "{:?}", solution.stats);
+    let none = robust.with(|o| o.max_iterations = 0);
+    let solution = solve_from(&mut billups.problem, &[0.0], &none);
+    assert_eq!((solution.status, solution.stats.iterations), (Status::IterationLimit, 0));
 }

@@ -41,22 +41,33 @@
 //! | key | source |
 //! | --- | --- |
 //! | \[Ahn83\] | B.-H. Ahn (1983), Iterative methods for linear complementarity problems with upper bounds on primary variables. Math. Prog. 26 |
+//! | \[Ber82\] | D. P. Bertsekas (1982), Projected Newton methods for optimization problems with simple constraints. SIAM J. Control Optim. 20 |
 //! | \[BG12\] | I. Ben Gharbia, J. C. Gilbert (2012), Nonconvergence of the plain Newton-min algorithm for linear complementarity problems with a P-matrix. Math. Prog. 134 |
 //! | \[Bil95\] | S. C. Billups (1995), Algorithms for complementarity problems and generalized equations. PhD thesis, Wisconsin |
+//! | \[CCK00\] | B. Chen, X. Chen, C. Kanzow (2000), A penalized Fischer–Burmeister NCP-function. Math. Prog. 88 |
+//! | \[CPS92\] | R. W. Cottle, J.-S. Pang, R. E. Stone (1992), The Linear Complementarity Problem. Academic Press |
+//! | \[CR72\] | A. R. Curtis, J. K. Reid (1972), On the automatic scaling of matrices for Gaussian elimination. IMA J. Appl. Math. 10 |
 //! | \[DF95\] | S. P. Dirkse, M. C. Ferris (1995), MCPLIB: a collection of nonlinear mixed complementarity problems. Optim. Methods Softw. 5 |
+//! | \[DF97\] | S. P. Dirkse, M. C. Ferris (1997), Crash techniques for large-scale complementarity problems. In: Complementarity and Variational Problems: State of the Art, SIAM |
+//! | \[DFK96\] | T. De Luca, F. Facchinei, C. Kanzow (1996), A semismooth equation approach to the solution of nonlinear complementarity problems. Math. Prog. 75 |
 //! | \[DM02\] | E. D. Dolan, J. J. Moré (2002), Benchmarking optimization software with performance profiles. Math. Prog. 91 |
 //! | \[Fat79\] | Y. Fathi (1979), Computational complexity of LCPs associated with positive definite symmetric matrices. Math. Prog. 17 |
 //! | \[Fis92\] | A. Fischer (1992), A special Newton-type optimization method. Optimization 24 |
+//! | \[FKM99\] | M. C. Ferris, C. Kanzow, T. S. Munson (1999), Feasible descent algorithms for mixed complementarity problems. Math. Prog. 86 |
 //! | \[FP03\] | F. Facchinei, J.-S. Pang (2003), Finite-Dimensional Variational Inequalities and Complementarity Problems. Springer |
 //! | \[GLL86\] | L. Grippo, F. Lampariello, S. Lucidi (1986), A nonmonotone line search technique for Newton's method. SIAM J. Numer. Anal. 23 |
 //! | \[GV13\] | G. H. Golub, C. F. Van Loan (2013), Matrix Computations, 4th ed. Johns Hopkins |
 //! | \[HS81\] | W. Hock, K. Schittkowski (1981), Test Examples for Nonlinear Programming Codes. Springer |
+//! | \[Jos79\] | N. H. Josephy (1979), Newton's method for generalized equations. MRC Technical Summary Report 1965, Wisconsin |
+//! | \[Kan96\] | C. Kanzow (1996), Some noninterior continuation methods for linear complementarity problems. SIAM J. Matrix Anal. Appl. 17 |
 //! | \[KK98\] | C. Kanzow, H. Kleinmichel (1998), A new class of semismooth Newton-type methods for nonlinear complementarity problems. Comput. Optim. Appl. 11 |
+//! | \[KP04\] | C. Kanzow, S. Petra (2004), On a semismooth least squares formulation of complementarity problems with gap reduction. Optim. Methods Softw. 19 |
 //! | \[Mat85\] | L. Mathiesen (1985), Computation of economic equilibria by a sequence of linear complementarity problems. Math. Prog. Study 23 |
 //! | \[MGH81\] | J. J. Moré, B. S. Garbow, K. E. Hillstrom (1981), Testing unconstrained optimization software. ACM Trans. Math. Softw. 7 |
 //! | \[Mur78\] | K. G. Murty (1978), Computational complexity of complementary pivot methods. Math. Prog. Study 7 |
 //! | \[Rui01\] | D. Ruiz (2001), A scaling algorithm to equilibrate both rows and columns norms in matrices. RAL-TR-2001-034 |
 //! | \[Rut99\] | T. F. Rutherford (1999), Applied general equilibrium modeling with MPSGE as a GAMS subsystem. Comput. Econ. 14 |
+//! | \[SLF14\] | G. L. Steele, D. Lea, C. H. Flood (2014), Fast splittable pseudorandom number generators. OOPSLA |
 //! | \[ZH04\] | H. Zhang, W. W. Hager (2004), A nonmonotone line search technique and its application to unconstrained optimization. SIAM J. Optim. 14 |
 
 // Generated code and doctests name this crate from outside and from inside alike.
@@ -101,9 +112,10 @@ pub use scalar::{
     hypot, logsumexp, max, min, prod, select, smooth_max, smooth_min, sum, when,
 };
 pub use solver::{
-    Certificate, Criterion, Descent, Direction, DomainFault, Iteration, Method, Monitor, NotSolved,
-    Options, PointCheck, PointRow, Solution, Solver, Stats, Status, UnknownMethod, Verdict,
-    Violation, WrongPoint, certify, check_point, solve, solve_from,
+    Certificate, Criterion, Descent, Diagnosis, Direction, DomainFault, Iteration, Method, Monitor,
+    NotSolved, Options, PointCheck, PointRow, Robust, Solution, Solver, Stage, StageEnd,
+    StageRecord, Stats, Status, UnknownMethod, Verdict, Violation, WrongPoint, certify,
+    check_point, solve, solve_from,
 };
 
 #[cfg(doctest)]

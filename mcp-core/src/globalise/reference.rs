@@ -39,6 +39,11 @@ impl Reference {
         Reference { kind, memory, history, next: 0, mean: 0.0, weight: 0.0 }
     }
 
+    /// Whether it remembers this many merits.
+    pub(crate) fn remembers(&self, memory: usize) -> bool {
+        self.memory == memory.max(1)
+    }
+
     /// Forgets everything; keeps its memory allocated.
     pub fn reset(&mut self) {
         self.history.clear();

@@ -52,6 +52,12 @@ impl Linear {
         }
     }
 
+    /// This choice, or [`Linear::Auto`] where the order is too large for it.
+    #[must_use]
+    pub(crate) fn for_order(self, pattern: &Pattern) -> Linear {
+        if self == Linear::Stack && pattern.n() > StackLu::LIMIT { Linear::Auto } else { self }
+    }
+
     /// A solver for matrices of this pattern, not yet analysed. Cost: the allocation of the box.
     ///
     /// # Errors

@@ -15,6 +15,20 @@ pub enum BoundKind {
     Fixed,
 }
 
+impl BoundKind {
+    /// What these bounds mean.
+    #[inline]
+    pub(crate) fn of(l: f64, u: f64) -> Self {
+        match (l > f64::NEG_INFINITY, u < f64::INFINITY) {
+            (false, false) => BoundKind::Free,
+            (true, false) => BoundKind::Lower,
+            (false, true) => BoundKind::Upper,
+            (true, true) if l < u => BoundKind::Boxed,
+            (true, true) => BoundKind::Fixed,
+        }
+    }
+}
+
 /// Lower and upper bounds of all variables, infinite where there is none.
 ///
 /// Invariant, checked where bounds are made: no NaN, `l_i <= u_i`, `l_i < +inf`, `u_i > -inf`.
@@ -66,14 +80,7 @@ impl Bounds {
     /// What the bounds of variable `i` mean.
     #[inline]
     pub fn kind(&self, i: usize) -> BoundKind {
-        let (l, u) = (self.lower[i], self.upper[i]);
-        match (l > f64::NEG_INFINITY, u < f64::INFINITY) {
-            (false, false) => BoundKind::Free,
-            (true, false) => BoundKind::Lower,
-            (false, true) => BoundKind::Upper,
-            (true, true) if l < u => BoundKind::Boxed,
-            (true, true) => BoundKind::Fixed,
-        }
+        BoundKind::of(self.lower[i], self.upper[i])
     }
 
     /// Moves `z` into the box; NaN stays NaN.

@@ -16,9 +16,9 @@ use crate::model::{BoundKind, Bounds};
 /// An element of the generalised derivative is `H = diag(Da) + diag(Db) J` with `Da, Db >= 0`.
 #[derive(Clone, Copy, Debug)]
 pub struct Reformulation {
-    kind: BoundKind,
-    lower: f64,
-    upper: f64,
+    pub(crate) kind: BoundKind,
+    pub(crate) lower: f64,
+    pub(crate) upper: f64,
 }
 
 impl Reformulation {
@@ -26,6 +26,12 @@ impl Reformulation {
     #[inline]
     pub fn new(bounds: &Bounds, i: usize) -> Self {
         Reformulation { kind: bounds.kind(i), lower: bounds.lower()[i], upper: bounds.upper()[i] }
+    }
+
+    /// Of a variable with these bounds.
+    #[inline]
+    pub(crate) fn between(lower: f64, upper: f64) -> Self {
+        Reformulation { kind: BoundKind::of(lower, upper), lower, upper }
     }
 
     /// `Φ_i(z, f)`.

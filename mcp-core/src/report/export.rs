@@ -6,7 +6,7 @@
 
 use super::format::{exact, special};
 use super::{DerivedRow, Fault, Report, ReportError, SIGN_CONVENTION, Statistics};
-use crate::solver::{Direction, Stats};
+use crate::solver::{Direction, Stage, Stats};
 use serde::ser::{Serialize, SerializeSeq, Serializer};
 use std::io::{BufWriter, Write};
 
@@ -198,6 +198,12 @@ pub(super) fn direction_letter<S: Serializer>(
     serializer: S,
 ) -> Result<S::Ok, S::Error> {
     serializer.serialize_char(direction.letter())
+}
+
+/// A stage as its name.
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde passes references")]
+pub(super) fn stage_name<S: Serializer>(stage: &Stage, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.serialize_str(stage.name())
 }
 
 #[cfg(test)]

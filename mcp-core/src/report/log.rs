@@ -1,12 +1,12 @@
 //! [`IterationLog`]: the iterations of a solve, kept.
 
-use crate::solver::{Direction, Iteration, Monitor};
+use crate::solver::{Direction, Iteration, Monitor, Stage};
 use std::ops::ControlFlow;
 
 #[cfg(feature = "serde")]
 use super::{
     ReportError,
-    export::{direction_letter, number, written},
+    export::{direction_letter, number, stage_name, written},
     format::exact,
 };
 #[cfg(feature = "serde")]
@@ -15,7 +15,7 @@ use std::io::Write;
 /// One iterate of a solve: a line of [`IterationTable`](super::IterationTable).
 ///
 /// In files the fields are called as the columns of the table: `iter`, `func`, `jac`, `residual`,
-/// `natural`, `step`, `type`, `act`, `worst`.
+/// `natural`, `step`, `type`, `stage`, `act`, `worst`.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
@@ -38,6 +38,9 @@ pub struct IterationRecord {
     /// Where the step came from; in files its letter, as `type`.
     #[cfg_attr(feature = "serde", serde(rename = "type", serialize_with = "direction_letter"))]
     pub direction: Direction,
+    /// The stage it belongs to; `newton` for the classical methods.
+    #[cfg_attr(feature = "serde", serde(serialize_with = "stage_name"))]
+    pub stage: Stage,
     /// Variables taken to be at a bound; in files `act`.
     #[cfg_attr(feature = "serde", serde(rename = "act"))]
     pub active: usize,
@@ -47,8 +50,8 @@ pub struct IterationRecord {
 
 impl IterationRecord {
     /// Column names, in the order of the table.
-    pub const COLUMNS: [&'static str; 9] =
-        ["iter", "func", "jac", "residual", "natural", "step", "type", "act", "worst"];
+    pub const COLUMNS: [&'static str; 10] =
+        ["iter", "func", "jac", "residual", "natural", "step", "type", "stage", "act", "worst"];
 
     /// What an iteration says, by name.
     pub fn new(iteration: &Iteration<'_>) -> Self {
@@ -62,6 +65,7 @@ impl IterationRecord {
             natural: iteration.natural_residual,
             step: iteration.step,
             direction: iteration.direction,
+            stage: iteration.stage,
             active: iteration.active,
             worst: if named { shape.equation_name(iteration.worst) } else { String::new() },
         }
@@ -104,6 +108,7 @@ impl IterationLog {
                 exact(record.natural),
                 exact(record.step),
                 record.direction.letter().to_string(),
+                record.stage.name().to_owned(),
                 record.active.to_string(),
                 record.worst.clone(),
             ])?;
@@ -165,7 +170,8 @@ mod tests {
             let row = row.unwrap();
             assert_eq!(row[3].parse::<f64>().unwrap().to_bits(), record.residual.to_bits());
             assert_eq!(&row[6], object["type"].as_str().unwrap());
-            assert_eq!(&row[8], "f[a, \"b\"]");
+            assert_eq!(&row[7], object["stage"].as_str().unwrap());
+            assert_eq!(&row[9], "f[a, \"b\"]");
             assert_eq!(object["worst"], "f[a, \"b\"]");
             let keys = object.as_object().unwrap();
             assert!(IterationRecord::COLUMNS.iter().all(|column| keys.contains_key(*column)));

@@ -57,6 +57,8 @@ impl Linear {
             method: Method::NewtonFb,
             fault: None,
             start_was_moved: false,
+            stages: Vec::new(),
+            diagnosis: None,
         }
     }
 }

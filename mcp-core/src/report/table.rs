@@ -9,9 +9,9 @@ use std::ops::ControlFlow;
 /// A [`Monitor`] that writes one line for each iterate, in columns like PATH's, a header first.
 ///
 /// ```text
-///  iter   func    jac    residual     natural        step  type    act  worst
-///     0      1      1  1.2649e+01  6.0000e+00           -  S         2  profit[3]
-///     1      2      2  8.4815e-01  4.1012e-01  1.0000e+00  F         1  price
+///  iter   func    jac    residual     natural        step  type  stage         act  worst
+///     0      1      1  1.2649e+01  6.0000e+00           -  S     newton          2  profit[3]
+///     1      2      2  8.4815e-01  4.1012e-01  1.0000e+00  F     newton          1  price
 /// ```
 ///
 /// | column | meaning |
@@ -22,6 +22,7 @@ use std::ops::ControlFlow;
 /// | `natural` | `max |mid(z−l, F, z−u)|`, in the units of the model |
 /// | `step` | step length |
 /// | `type` | where the step came from: [`Direction::letter`] |
+/// | `stage` | the stage of the method: [`Stage`](crate::Stage) |
 /// | `act` | variables taken to be at a bound |
 /// | `worst` | equation of the largest natural residual |
 ///
@@ -75,12 +76,12 @@ impl<W: Write> IterationTable<W> {
 
     fn line(&mut self, record: &IterationRecord) -> io::Result<()> {
         if !self.begun {
-            let [iter, func, jac, residual, natural, step, kind, active, worst] =
+            let [iter, func, jac, residual, natural, step, kind, stage, active, worst] =
                 IterationRecord::COLUMNS;
             writeln!(
                 self.out,
                 "{iter:>5}  {func:>5}  {jac:>5}  {residual:>10}  {natural:>10}  {step:>10}  \
-                 {kind:<4}  {active:>5}  {worst}"
+                 {kind:<4}  {stage:<10}  {active:>5}  {worst}"
             )?;
             self.begun = true;
         }
@@ -89,13 +90,14 @@ impl<W: Write> IterationTable<W> {
             _ => scientific(record.step),
         };
         let line = format!(
-            "{:>5}  {:>5}  {:>5}  {:>10}  {:>10}  {step:>10}  {:<4}  {:>5}  {}",
+            "{:>5}  {:>5}  {:>5}  {:>10}  {:>10}  {step:>10}  {:<4}  {:<10}  {:>5}  {}",
             record.iter,
             record.func,
             record.jac,
             scientific(record.residual),
             scientific(record.natural),
             record.direction.letter(),
+            record.stage,
             record.active,
             clean(&record.worst),
         );
@@ -116,26 +118,32 @@ impl<W: Write> Monitor for IterationTable<W> {
 mod tests {
     use super::super::samples::{Broken, cubic, linear};
     use super::*;
-    use crate::solver::{Options, Solver, Status};
+    use crate::solver::{Method, Options, Solver, Status};
 
     #[test]
     fn a_solve_is_shown_line_by_line_with_the_worst_equation() {
         let mut table = IterationTable::new(Vec::new());
-        let mut solver = Solver::new(Options::default()).unwrap();
+        let mut solver = Solver::new(Options::new(Method::NewtonFb)).unwrap();
         solver.solve_monitored(&mut cubic("a"), None, &mut table).unwrap();
         let text = String::from_utf8(table.finish().unwrap()).unwrap();
         let mut lines = text.lines();
         assert_eq!(
             lines.next(),
-            Some(" iter   func    jac    residual     natural        step  type    act  worst")
+            Some(
+                " iter   func    jac    residual     natural        step  type  stage         act  \
+                 worst"
+            )
         );
         assert_eq!(
             lines.next(),
-            Some("    0      1      1  1.3071e+01  7.0000e+00           -  S         0  f[a]")
+            Some(
+                "    0      1      1  1.3071e+01  7.0000e+00           -  S     newton          0  \
+                 f[a]"
+            )
         );
         let second = lines.next().unwrap();
         assert!(second.starts_with("    1"), "{second}");
-        assert!(second.contains("  1.0000e+00  F  "), "{second}");
+        assert!(second.contains("  1.0000e+00  F     newton"), "{second}");
     }
 
     #[test]

@@ -76,6 +76,13 @@ impl Report {
             format!("{} of both by the certificate", stats.certificate_evaluations),
         ];
         line("work", work.join(", "))?;
+        if !solution.stages.is_empty() {
+            let stages: Vec<String> = solution.stages.iter().map(ToString::to_string).collect();
+            line("stages", stages.join(", "))?;
+        }
+        if let Some(diagnosis) = &solution.diagnosis {
+            line("found", clean(&diagnosis.describe(&self.shape)))?;
+        }
         if solution.start_was_moved {
             let why = "variables at a bound were moved inside: F or J was not finite at the start";
             line("start", why.to_owned())?;

@@ -2,13 +2,17 @@
 //!
 //! | method | direction | merit | reference |
 //! | --- | --- | --- | --- |
+//! | [`Method::Robust`]: [page](robust), the default | projected Newton, linearised problem, Newton on `Φ`, and a cascade | natural map, `½‖Φ‖²` | see the page |
 //! | [`Method::NewtonFb`]: [page](newton_fb) | Newton on `Φ` | `½‖Φ‖²` | [FP03](crate#references) VFBLSA, Siconos 700 |
 //! | [`Method::NewtonMinFb`]: [page](newton_min_fb) | Newton on the min map | `½‖Φ‖²` | [FP03](crate#references) minFBLSA, Siconos 701 |
 //! | [`Method::OldFb`]: [page](old_fb) | Newton on `Φ` | `½‖Φ‖²` | [KK98](crate#references) Alg. 4.1, Siconos 710 |
+//! | [`Method::Lemke`]: [page](pivot), affine problems only | pivoting | none | [CPS92](crate#references) |
 //!
-//! They are the three solvers of the Siconos page on mixed complementarity problems, with its
+//! `Robust` scales the problem by powers of two and does not depend on units of that kind. The
+//! three between are the solvers of the Siconos page on mixed complementarity problems, with its
 //! documented defaults, extended to free, lower, upper, boxed and fixed variables in any order.
-//! None is scale-free: multiplying an equation or changing a unit changes their iterates.
+//! None of the three is scale-free: multiplying an equation or changing a unit changes their
+//! iterates.
 //!
 //! # Deliberate deviations from Siconos
 //!
@@ -30,22 +34,29 @@
 //! - The returned point lies inside the bounds, exactly.
 
 mod certificate;
+mod diagnosis;
 mod monitor;
 pub mod newton_fb;
 pub mod newton_min_fb;
 pub mod old_fb;
 mod options;
+pub mod pivot;
 mod point_check;
+pub mod robust;
 mod run;
 mod solution;
+mod stage;
 mod status;
 mod workspace;
 
 pub use certificate::{Certificate, Verdict, certify};
+pub use diagnosis::Diagnosis;
 pub use monitor::{Direction, Iteration, Monitor};
 pub use options::{Criterion, Descent, Method, Options, UnknownMethod};
 pub use point_check::{PointCheck, PointRow, Violation, WrongPoint, check_point};
+pub use robust::Robust;
 pub use solution::{DomainFault, NotSolved, Solution, Stats};
+pub use stage::{Stage, StageEnd, StageRecord};
 pub use status::Status;
 
 use crate::error::ModelError;
@@ -131,7 +142,8 @@ impl Solver {
         Ok(Solver { options, workspace: None, custom: None, solution })
     }
 
-    /// A solver that uses the caller's linear solver instead of [`Options::linear`].
+    /// A solver that uses the caller's linear solver instead of [`Options::linear`] for Newton
+    /// systems; damped steps and pivoting, whose matrices have other patterns, keep the option.
     ///
     /// # Errors
     /// As [`Solver::new`].
@@ -212,6 +224,8 @@ impl Solver {
             Method::NewtonFb => newton_fb::solve(&mut run),
             Method::NewtonMinFb => newton_min_fb::solve(&mut run),
             Method::OldFb => old_fb::solve(&mut run),
+            Method::Robust => robust::solve(&mut run),
+            Method::Lemke => pivot::solve(&mut run),
         };
         finish(&mut run, status, &mut self.solution);
         self.workspace = Some(work);
@@ -223,7 +237,8 @@ impl Solver {
 fn finish(run: &mut Run<'_>, status: Status, solution: &mut Solution) {
     let certificate = run.certificate.unwrap_or_else(|| run.certify());
     solution.status = match certificate.verdict(run.options.tol, run.options.tol_relative) {
-        Verdict::Accepted => Status::Solved,
+        // Robust can tell a solution at infinity from one at hand where the certificate cannot.
+        Verdict::Accepted if status != Status::SolvedAsymptotically => Status::Solved,
         _ => status,
     };
     solution.certificate = certificate;
@@ -241,4 +256,9 @@ fn finish(run: &mut Run<'_>, status: Status, solution: &mut Solution) {
         z: run.work.fault_point.clone(),
     });
     solution.start_was_moved = run.start_was_moved;
+    solution.stages.clear();
+    if let Some(memory) = &run.work.robust {
+        solution.stages.extend_from_slice(&memory.records);
+    }
+    solution.diagnosis = run.work.diagnosis.take();
 }

@@ -1,5 +1,6 @@
 //! [`Monitor`]: watching a solve, and stopping it.
 
+use super::stage::Stage;
 use crate::problem::Problem;
 use std::ops::ControlFlow;
 
@@ -16,16 +17,22 @@ pub enum Direction {
     MinMap,
     /// Negative gradient of the merit.
     Gradient,
+    /// Levenberg–Marquardt direction.
+    LevenbergMarquardt,
+    /// Solution of the linearised problem.
+    Pivoting,
 }
 
 impl Direction {
-    /// One letter for tables: `S`, `F`, `M`, `G`.
+    /// One letter for tables: `S`, `F`, `M`, `G`, `L`, `P`.
     pub fn letter(self) -> char {
         match self {
             Direction::Start => 'S',
             Direction::FischerBurmeister => 'F',
             Direction::MinMap => 'M',
             Direction::Gradient => 'G',
+            Direction::LevenbergMarquardt => 'L',
+            Direction::Pivoting => 'P',
         }
     }
 }
@@ -39,7 +46,8 @@ pub struct Iteration<'a> {
     pub residual_evaluations: usize,
     /// Evaluations of `J` so far.
     pub jacobian_evaluations: usize,
-    /// `‖Φ(z)‖₂` (PATH's `residual`).
+    /// `‖Φ(z)‖₂` (PATH's `residual`); for [`Method::Robust`](crate::Method::Robust) in its scaled
+    /// variables, of the equations of the stage.
     pub fb_norm: f64,
     /// `max |mid(z−l, F, z−u)|` at the iterate, which may lie outside the box.
     pub natural_residual: f64,
@@ -47,6 +55,8 @@ pub struct Iteration<'a> {
     pub step: f64,
     /// Where the step came from.
     pub direction: Direction,
+    /// The stage the iterate belongs to.
+    pub stage: Stage,
     /// Variables on the bound branch of the min map.
     pub active: usize,
     /// Variable of the largest natural residual; its equation is the worst one.

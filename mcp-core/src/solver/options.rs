@@ -1,5 +1,6 @@
 //! [`Options`]: what can be set, with the defaults of each method.
 
+use super::robust::Robust;
 use crate::error::ModelError;
 use crate::globalise::{Armijo, Nonmonotone, Stall};
 use crate::linalg::Linear;
@@ -11,9 +12,12 @@ use std::time::Duration;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Method {
+    /// Equilibration, projected Newton, semismooth Newton, and a cascade of other methods behind
+    /// them: [`robust`](super::robust). The default.
+    #[default]
+    Robust,
     /// Newton on the Fischer–Burmeister equations with line search ([FP03](crate#references) VFBLSA, p. 834).
     /// Siconos: `SICONOS_MCP_NEWTON_FB_FBLSA`, id 700.
-    #[default]
     NewtonFb,
     /// Newton direction of the min map, Fischer–Burmeister merit ([FP03](crate#references) minFBLSA, p. 855).
     /// Siconos: `SICONOS_MCP_NEWTON_MIN_FBLSA`, id 701.
@@ -21,27 +25,36 @@ pub enum Method {
     /// The older semismooth Newton method ([KK98](crate#references) Algorithm 4.1). Siconos:
     /// `SICONOS_MCP_OLD_FB`, id 710.
     OldFb,
+    /// Complementary pivoting, for affine problems only: [`pivot`](super::pivot).
+    Lemke,
 }
 
 impl Method {
-    /// All methods.
-    pub const ALL: [Method; 3] = [Method::NewtonFb, Method::NewtonMinFb, Method::OldFb];
+    /// All methods, the default first.
+    pub const ALL: [Method; 5] =
+        [Method::Robust, Method::NewtonFb, Method::NewtonMinFb, Method::OldFb, Method::Lemke];
 
-    /// Name in commands and reports: `newton_fb`, `newton_min_fb`, `old_fb`.
+    /// The three methods of the Siconos page on mixed complementarity problems.
+    pub const CLASSICAL: [Method; 3] = [Method::NewtonFb, Method::NewtonMinFb, Method::OldFb];
+
+    /// Name in commands and reports: `robust`, `newton_fb`, `newton_min_fb`, `old_fb`, `lemke`.
     pub fn name(self) -> &'static str {
         match self {
+            Method::Robust => "robust",
             Method::NewtonFb => "newton_fb",
             Method::NewtonMinFb => "newton_min_fb",
             Method::OldFb => "old_fb",
+            Method::Lemke => "lemke",
         }
     }
 
-    /// Id of the method in Siconos.
-    pub fn siconos_id(self) -> u32 {
+    /// Id of the method in Siconos, if it is one of its three.
+    pub fn siconos_id(self) -> Option<u32> {
         match self {
-            Method::NewtonFb => 700,
-            Method::NewtonMinFb => 701,
-            Method::OldFb => 710,
+            Method::NewtonFb => Some(700),
+            Method::NewtonMinFb => Some(701),
+            Method::OldFb => Some(710),
+            Method::Robust | Method::Lemke => None,
         }
     }
 
@@ -50,7 +63,7 @@ impl Method {
     /// # Errors
     /// [`UnknownMethod`] for any other number.
     pub fn from_siconos_id(id: u32) -> Result<Self, UnknownMethod> {
-        let found = Self::ALL.into_iter().find(|method| method.siconos_id() == id);
+        let found = Self::ALL.into_iter().find(|method| method.siconos_id() == Some(id));
         found.ok_or_else(|| UnknownMethod { given: id.to_string() })
     }
 }
@@ -63,7 +76,10 @@ impl fmt::Display for Method {
 
 /// A method name or id that does not exist.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("there is no method `{given}`: choose newton_fb (700), newton_min_fb (701), old_fb (710)")]
+#[error(
+    "there is no method `{given}`: choose robust, newton_fb (700), newton_min_fb (701), \
+     old_fb (710), lemke"
+)]
 pub struct UnknownMethod {
     /// What was asked for.
     pub given: String,
@@ -145,15 +161,15 @@ pub struct Options {
     /// The algorithm.
     pub method: Method,
     /// Absolute tolerance: the [`criterion`](Self::criterion) ends the loop below it, and the
-    /// natural residual of the certificate must not exceed it. Defaults: `1e-10` for the Newton
-    /// methods, `1e-7` for `OldFb`. `None`: only the relative tolerance. Siconos:
-    /// `SICONOS_DPARAM_TOL`.
+    /// natural residual of the certificate must not exceed it. Defaults: `1e-10` for the two Newton
+    /// methods of Siconos, `1e-7` for `OldFb`, `None` for `Robust` and `Lemke`: only the relative
+    /// tolerance. Siconos: `SICONOS_DPARAM_TOL`.
     pub tol: Option<f64>,
     /// Tolerance for the row-relative residual of the certificate, which does not depend on units.
     /// Default `1e-8`.
     pub tol_relative: f64,
-    /// Iterations before giving up. Defaults: 1000, 10 for `OldFb`. Siconos:
-    /// `SICONOS_IPARAM_MAX_ITER`.
+    /// Iterations before giving up. Defaults: 1000, 10 for `OldFb`, 100 000 for `Robust`, whose own
+    /// limits come first, and for the exchanges of `Lemke`. Siconos: `SICONOS_IPARAM_MAX_ITER`.
     pub max_iterations: usize,
     /// Time before giving up, checked between iterations. Default none. The only clock.
     pub time_limit: Option<Duration>,
@@ -175,6 +191,9 @@ pub struct Options {
     /// When to give up for lack of progress; `None`: never. Default: 100 iterations without
     /// the merit falling by a tenth.
     pub stall: Option<Stall>,
+    /// Stages and budgets of [`Method::Robust`]; the fields from `criterion` to `stall` are for the
+    /// classical methods.
+    pub robust: Robust,
     /// The linear solver. Default: chosen by size and density.
     pub linear: Linear,
 }
@@ -183,12 +202,13 @@ impl Options {
     /// The defaults of a method.
     pub fn new(method: Method) -> Self {
         let (tol, max_iterations, smallest_step) = match method {
-            Method::NewtonFb | Method::NewtonMinFb => (1e-10, 1000, 1e-16),
-            Method::OldFb => (1e-7, 10, 1e-12),
+            Method::Robust | Method::Lemke => (None, 100_000, 1e-16),
+            Method::NewtonFb | Method::NewtonMinFb => (Some(1e-10), 1000, 1e-16),
+            Method::OldFb => (Some(1e-7), 10, 1e-12),
         };
         Options {
             method,
-            tol: Some(tol),
+            tol,
             tol_relative: 1e-8,
             max_iterations,
             time_limit: None,
@@ -199,6 +219,7 @@ impl Options {
             full_step: 0.9,
             descent: Descent::default(),
             stall: Some(Stall::default()),
+            robust: Robust::default(),
             linear: Linear::default(),
         }
     }
@@ -266,7 +287,7 @@ impl Options {
                 return Err(ModelError::Option { option, value: value.to_string(), rule });
             }
         }
-        Ok(())
+        self.robust.validate()
     }
 }
 
@@ -284,14 +305,19 @@ mod tests {
     fn methods_are_found_by_name_and_siconos_id() {
         for method in Method::ALL {
             assert_eq!(method.name().parse(), Ok(method));
-            assert_eq!(method.siconos_id().to_string().parse(), Ok(method));
-            assert_eq!(Method::from_siconos_id(method.siconos_id()), Ok(method));
+            let id = method.siconos_id();
+            assert_eq!(id.is_some(), Method::CLASSICAL.contains(&method));
+            if let Some(id) = id {
+                assert_eq!(id.to_string().parse(), Ok(method));
+                assert_eq!(Method::from_siconos_id(id), Ok(method));
+            }
         }
         assert_eq!("Newton-Min-FB".parse(), Ok(Method::NewtonMinFb));
         assert_eq!("NewtonFb".parse(), Ok(Method::NewtonFb));
         assert_eq!(
             "path".parse::<Method>().unwrap_err().to_string(),
-            "there is no method `path`: choose newton_fb (700), newton_min_fb (701), old_fb (710)"
+            "there is no method `path`: choose robust, newton_fb (700), newton_min_fb (701), \
+             old_fb (710), lemke"
         );
         assert!(Method::from_siconos_id(702).is_err());
     }

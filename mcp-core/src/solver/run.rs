@@ -4,6 +4,7 @@ use super::certificate::{Certificate, Verdict};
 use super::monitor::{Direction, Iteration, Monitor};
 use super::options::{Criterion, Options};
 use super::solution::Stats;
+use super::stage::Stage;
 use super::status::Status;
 use super::workspace::Workspace;
 use crate::globalise::StallWatch;
@@ -50,7 +51,9 @@ pub(super) struct Run<'a> {
     pub(super) certificate: Option<Certificate>,
     began: Option<Instant>,
     stall: StallWatch,
-    last: (Direction, f64),
+    /// What the step to the iterate was.
+    pub(super) last: (Direction, f64),
+    pub(super) stage: Stage,
     system_is_singular: bool,
     /// The iterate the monitor saw last.
     reported: Option<usize>,
@@ -77,6 +80,7 @@ impl<'a> Run<'a> {
             began: options.time_limit.map(|_| Instant::now()),
             stall: StallWatch::new(f64::INFINITY),
             last: (Direction::Start, 0.0),
+            stage: Stage::default(),
             system_is_singular: false,
             reported: None,
         }
@@ -111,7 +115,7 @@ impl<'a> Run<'a> {
     }
 
     /// Moves variables at a bound by `min(u − l, 10) / 10` into the box; false if there are none.
-    fn move_inside(&mut self) -> bool {
+    pub(super) fn move_inside(&mut self) -> bool {
         let bounds = self.problem.shape().bounds();
         for (i, z) in self.work.current.z.iter_mut().enumerate() {
             let (l, u) = (bounds.lower()[i], bounds.upper()[i]);
@@ -132,14 +136,7 @@ impl<'a> Run<'a> {
             self.end_if_solved()?;
         }
         self.report()?;
-        if self.stats.iterations >= self.options.max_iterations {
-            return Break(Status::IterationLimit);
-        }
-        if let (Some(began), Some(limit)) = (self.began, self.options.time_limit)
-            && began.elapsed() >= limit
-        {
-            return Break(Status::TimeLimit);
-        }
+        self.check_limits()?;
         match self.options.stall {
             Some(rule) if self.stall.observe(self.work.current.merit, rule) => {
                 Break(self.status_without_progress(Status::Stalled))
@@ -148,8 +145,26 @@ impl<'a> Run<'a> {
         }
     }
 
+    /// Ends the solve at the limits the caller set.
+    pub(super) fn check_limits(&self) -> Flow {
+        if self.stats.iterations >= self.options.max_iterations {
+            return Break(Status::IterationLimit);
+        }
+        match (self.began, self.options.time_limit) {
+            (Some(began), Some(limit)) if began.elapsed() >= limit => Break(Status::TimeLimit),
+            _ => Continue(()),
+        }
+    }
+
+    /// `F` and the merit at the iterate, for the monitor.
+    pub(super) fn evaluate_current(&mut self) {
+        self.stats.residual_evaluations += 1;
+        let work = &mut *self.work;
+        work.current.evaluate(self.problem, &work.rows);
+    }
+
     /// Tells the monitor about the iterate.
-    fn report(&mut self) -> Flow {
+    pub(super) fn report(&mut self) -> Flow {
         let Some(monitor) = &mut self.monitor else { return Continue(()) };
         if self.reported.replace(self.stats.iterations) == Some(self.stats.iterations) {
             return Continue(());
@@ -164,6 +179,7 @@ impl<'a> Run<'a> {
             natural_residual: natural.residual,
             step: self.last.1,
             direction: self.last.0,
+            stage: self.stage,
             active: natural.active,
             worst: natural.worst,
             z: &point.z,

@@ -1,7 +1,9 @@
 //! [`Solution`]: where a solve ended and what it cost.
 
 use super::certificate::Certificate;
+use super::diagnosis::Diagnosis;
 use super::options::Method;
+use super::stage::StageRecord;
 use super::status::Status;
 use crate::error::ModelError;
 use crate::model::Shape;
@@ -43,6 +45,12 @@ pub struct Solution {
     pub fault: Option<DomainFault>,
     /// Whether `F` or `J` was not finite at the start, which was then moved inside the bounds.
     pub start_was_moved: bool,
+    /// The stages [`Method::Robust`](crate::Method::Robust) went through, the last one that which
+    /// ended it; empty for other methods.
+    pub stages: Vec<StageRecord>,
+    /// For failures of [`Method::Robust`](crate::Method::Robust) and
+    /// [`Method::Lemke`](crate::Method::Lemke): what was found at the point.
+    pub diagnosis: Option<Diagnosis>,
 }
 
 impl Solution {
@@ -58,6 +66,8 @@ impl Solution {
             method: Method::default(),
             fault: None,
             start_was_moved: false,
+            stages: Vec::new(),
+            diagnosis: None,
         }
     }
 
@@ -117,6 +127,8 @@ impl fmt::Debug for Solution {
             .field("method", &self.method)
             .field("fault", &self.fault)
             .field("start_was_moved", &self.start_was_moved)
+            .field("stages", &self.stages)
+            .field("diagnosis", &self.diagnosis)
             .finish_non_exhaustive()
     }
 }

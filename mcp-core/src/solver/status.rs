@@ -17,6 +17,9 @@ use std::fmt;
 /// | `TimeLimit` | `MCP_TimeLimit` | `TIME_LIMIT` | |
 /// | `DomainError` | `MCP_DomainError` | `NUMERICAL_ERROR` | 0 |
 /// | `Interrupted` | `MCP_UserInterrupt` | `INTERRUPTED` | |
+/// | `Diverged` | `MCP_NoProgress` | `NORM_LIMIT` | |
+/// | `Ray` | | `INFEASIBLE_OR_UNBOUNDED` | |
+/// | `NotAffine` | | `INVALID_MODEL` | |
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
@@ -44,11 +47,17 @@ pub enum Status {
     DomainError,
     /// The monitor asked to stop.
     Interrupted,
+    /// Variables grow without bound while the residual falls or stays.
+    Diverged,
+    /// The path of [`Method::Lemke`](crate::Method::Lemke) ended on a ray.
+    Ray,
+    /// [`Method::Lemke`](crate::Method::Lemke) was asked to solve a problem that is not affine.
+    NotAffine,
 }
 
 impl Status {
     /// All statuses.
-    pub const ALL: [Status; 10] = [
+    pub const ALL: [Status; 13] = [
         Status::Solved,
         Status::SolvedAsymptotically,
         Status::StationaryPoint,
@@ -59,6 +68,9 @@ impl Status {
         Status::TimeLimit,
         Status::DomainError,
         Status::Interrupted,
+        Status::Diverged,
+        Status::Ray,
+        Status::NotAffine,
     ];
 
     /// Name for tables and files, such as `solved` or `stationary_point`.
@@ -74,6 +86,9 @@ impl Status {
             Status::TimeLimit => "time_limit",
             Status::DomainError => "domain_error",
             Status::Interrupted => "interrupted",
+            Status::Diverged => "diverged",
+            Status::Ray => "ray",
+            Status::NotAffine => "not_affine",
         }
     }
 
@@ -100,6 +115,14 @@ impl Status {
                  step that was tried"
             }
             Status::Interrupted => "the monitor asked to stop",
+            Status::Diverged => "variables grow without bound, and no solution was met on the way",
+            Status::Ray => {
+                "pivoting ended on a ray: if the matrix is copositive-plus, such as positive \
+                 semidefinite, the problem has no solution"
+            }
+            Status::NotAffine => {
+                "the Jacobian differs between two points, and Lemke's method takes affine problems only"
+            }
         }
     }
 
@@ -139,6 +162,15 @@ impl Status {
                 "a `Report` names the equation and the values: bound its variables \
                  away from where it is undefined, or start inside its domain"
             }
+            Status::Diverged => {
+                "bound the variables that a `Report` names, or check the signs of the equations \
+                 they are in: the problem may have no solution, or only one at infinity"
+            }
+            Status::Ray => {
+                "a `Report` names the variables that can grow together: look for a missing bound or \
+                 a demand no supply can meet; for other matrices try Robust"
+            }
+            Status::NotAffine => "use Robust, which linearises",
         }
     }
 }

@@ -1,7 +1,9 @@
 //! Memory of a solver, kept between solves, and the linear algebra of one iterate.
 
 use super::certificate::Certifier;
+use super::diagnosis::Diagnosis;
 use super::options::Options;
+use super::{pivot, robust};
 use crate::error::ModelError;
 use crate::globalise::Reference;
 use crate::linalg::LinearSolver;
@@ -19,10 +21,18 @@ pub(super) struct Point {
 }
 
 impl Point {
-    fn resize(&mut self, n: usize) {
+    pub(super) fn resize(&mut self, n: usize) {
         for list in [&mut self.z, &mut self.f, &mut self.phi] {
             list.resize(n, 0.0);
         }
+    }
+
+    /// Becomes a copy of a point of the same length.
+    pub(super) fn copy_from(&mut self, other: &Point) {
+        self.z.copy_from_slice(&other.z);
+        self.f.copy_from_slice(&other.f);
+        self.phi.copy_from_slice(&other.phi);
+        self.merit = other.merit;
     }
 
     /// `F`, `Φ` and `θ` at `z`.
@@ -97,15 +107,25 @@ impl NewtonSystem {
         r: &[f64],
         d: &mut [f64],
     ) -> bool {
-        self.assemble(jac, a, b);
-        if self.linear.factor(&self.values).is_err() {
+        if self.factor(jac, (a, b)).is_none() {
             return false;
         }
+        self.back_solve(r, d);
+        d.iter().all(|d| d.is_finite())
+    }
+
+    /// Factors `diag(a) + diag(b) J` and returns its pivot ratio; `None` if it is singular.
+    pub(super) fn factor(&mut self, jac: &[f64], (a, b): (&[f64], &[f64])) -> Option<f64> {
+        self.assemble(jac, a, b);
+        self.linear.factor(&self.values).ok().map(|info| info.pivot_ratio)
+    }
+
+    /// `d` of the system factored last, with the right-hand side `−r`.
+    pub(super) fn back_solve(&mut self, r: &[f64], d: &mut [f64]) {
         for (d, r) in d.iter_mut().zip(r) {
             *d = -r;
         }
         self.linear.solve(d);
-        d.iter().all(|d| d.is_finite())
     }
 }
 
@@ -142,6 +162,11 @@ pub(super) struct Workspace {
     pub(super) system: NewtonSystem,
     pub(super) reference: Reference,
     pub(super) certifier: Certifier,
+    /// Memory of the methods that need more.
+    pub(super) robust: Option<Box<robust::Memory>>,
+    pub(super) pivoting: Option<Box<pivot::Memory>>,
+    /// Of [`Method::Robust`](super::Method::Robust) and [`Method::Lemke`](super::Method::Lemke).
+    pub(super) diagnosis: Option<Diagnosis>,
 }
 
 impl Workspace {
@@ -192,6 +217,9 @@ impl Workspace {
             },
             reference: Reference::new(options.nonmonotone, options.memory),
             certifier: Certifier::default(),
+            robust: None,
+            pivoting: None,
+            diagnosis: None,
         };
         for point in [&mut workspace.current, &mut workspace.trial, &mut workspace.full] {
             point.resize(n);

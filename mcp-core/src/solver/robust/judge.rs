@@ -1,0 +1,188 @@
+//! When a point is taken for a solution, asked of the certificate, and kept as the best.
+
+use super::Search;
+use super::equilibrate::{exponent, power_of_two};
+use super::memory::Memory;
+use crate::solver::certificate::Verdict;
+use crate::solver::run::Flow;
+use crate::solver::stage::StageEnd;
+use crate::solver::status::Status;
+use crate::solver::workspace::Point;
+use std::ops::ControlFlow::{Break, Continue};
+
+/// Relative residual below which a point is polished and shown to the certificate.
+const NEARLY: f64 = 1e-8;
+/// Relative residual that no further step will reduce.
+const ROUNDING: f64 = 4.0 * f64::EPSILON;
+/// Relative residual of a point that should satisfy every tolerance that can be satisfied.
+const SHARP: f64 = 1e-13;
+/// Growth, in scaled units, beyond which a small residual may be one at infinity; where polishing
+/// has made it sharp, only from the second on.
+const GROWN: [f64; 2] = [10.0, 100.0];
+/// Growth beyond which a small residual with a singular matrix is one at infinity.
+const FAR: f64 = 1e4;
+/// Relative Newton step of a point that still moves.
+const MOVING: f64 = 0.1;
+/// Growth beyond which a stage is left.
+const DIVERGED: f64 = 1e12;
+/// How far below its start a variable may fall before its start counts: `2⁻¹³`.
+const FLOOR: i32 = 13;
+
+impl Search<'_, '_> {
+    /// Keeps the iterate if it is the best; if it is nearly a solution, polishes it and ends the
+    /// solve if the certificate agrees.
+    pub(super) fn judge(&mut self) -> Flow {
+        let e = self.relative_residual();
+        self.keep_best(e);
+        if e <= NEARLY.min(self.run.options.tol_relative) {
+            self.finish(e)?;
+        }
+        let memory = &mut *self.memory;
+        let far = |(y, start): (&f64, &f64)| y.abs() > DIVERGED * start.abs().max(1.0);
+        if memory.here.z.iter().zip(&memory.start_y).any(far) {
+            memory.leave = Some(StageEnd::Diverged);
+            for j in 0..memory.start_y.len() {
+                memory.slope[j] = memory.here.z[j] - memory.start_y[j];
+            }
+            memory.view.unscale_direction(&memory.slope, &mut memory.runaway);
+        }
+        Continue(())
+    }
+
+    /// `e = max_i |mid((y_i − l_i)/w_i, G_i/s_i, (y_i − u_i)/w_i)|` with `w_j = |y_j| + τ`,
+    /// `s_i = Σ_j |J_ij| w_j`, from the last `J` known: the residual of the certificate, in scaled
+    /// variables with one gauge `τ`.
+    pub(super) fn relative_residual(&mut self) -> f64 {
+        let memory = &mut *self.memory;
+        let pattern = self.run.problem.pattern();
+        let tau = gauge(&memory.here.z, &memory.start_y);
+        for (w, y) in memory.weight.iter_mut().zip(&memory.here.z) {
+            *w = y.abs() + tau;
+        }
+        memory.size.fill(0.0);
+        for j in 0..pattern.n() {
+            for k in pattern.column(j) {
+                memory.size[pattern.rows()[k]] += memory.jac[k].abs() * memory.weight[j];
+            }
+        }
+        let Point { z: y, f: g, .. } = &memory.here;
+        let mut e = 0.0_f64;
+        for i in 0..y.len() {
+            let (w, s) = (memory.weight[i], memory.size[i]);
+            let ratio = if g[i] == 0.0 { 0.0 } else { g[i] / s.min(f64::MAX) };
+            let (above, below) =
+                ((y[i] - memory.view.lower[i]) / w, (y[i] - memory.view.upper[i]) / w);
+            let middle = above.min(below.max(ratio)).abs();
+            if !(middle <= e) {
+                e = middle;
+            }
+        }
+        e
+    }
+
+    fn keep_best(&mut self, e: f64) {
+        let Search { run, memory } = self;
+        if e < memory.best_residual && !memory.asymptotic {
+            memory.best_residual = e;
+            let bounds = run.problem.shape().bounds();
+            memory.view.unscale(&memory.here.z, bounds, &mut memory.best);
+        }
+    }
+
+    /// Polishes the iterate and asks the certificate. If it refuses, the iterate is as before.
+    fn finish(&mut self, e: f64) -> Flow {
+        self.report()?;
+        let memory = &mut *self.memory;
+        memory.other.copy_from(&memory.here);
+        let polished = if e > ROUNDING { self.tail(e)? } else { e };
+        let verdict = self.ask();
+        let is_asymptotic = match verdict {
+            Verdict::Accepted => self.still_moves(polished),
+            Verdict::Asymptotic => true,
+            Verdict::Refused => false,
+        };
+        if is_asymptotic {
+            let Search { run, memory } = self;
+            if !memory.asymptotic {
+                memory.best.copy_from_slice(&run.work.answer);
+                memory.best_residual = polished;
+                memory.asymptotic = true;
+            }
+            memory.leave = Some(StageEnd::Diverged);
+            return Continue(());
+        }
+        if verdict == Verdict::Accepted {
+            let _ = self.report();
+            return Break(Status::Solved);
+        }
+        self.keep_best(polished);
+        let certificate = self.run.certificate.take();
+        let accurate = |c: crate::solver::certificate::Certificate| {
+            c.verdict(None, self.run.options.tol_relative) == Verdict::Accepted
+        };
+        if polished <= SHARP && certificate.is_some_and(accurate) {
+            // Only the absolute tolerance is not met, and never will be.
+            let _ = self.report();
+            return Break(Status::LineSearchFailed);
+        }
+        let memory = &mut *self.memory;
+        memory.here.copy_from(&memory.other);
+        Continue(())
+    }
+
+    /// The certificate of the iterate.
+    fn ask(&mut self) -> Verdict {
+        let Search { run, memory } = self;
+        let bounds = run.problem.shape().bounds();
+        memory.view.unscale(&memory.here.z, bounds, &mut run.work.current.z);
+        let certificate = run.certify();
+        certificate.verdict(run.options.tol, run.options.tol_relative)
+    }
+
+    /// Whether a variable has grown far and Newton's method would move it on: the residual then
+    /// vanishes only at infinity, as that of a KKT system without multipliers.
+    fn still_moves(&mut self, e: f64) -> bool {
+        let limit = GROWN[usize::from(e <= SHARP)];
+        let Search { run, memory } = self;
+        let bounds = run.problem.shape().bounds();
+        memory.view.unscale(&memory.here.z, bounds, &mut memory.model_z);
+        let growth = (0..memory.unit.len()).fold(0.0, |most: f64, j| most.max(memory.growth(j)));
+        if !(growth > limit) || !self.jacobian() {
+            return false;
+        }
+        // In scales of its own, a matrix that is nearly singular is one in all units.
+        self.measure_scales();
+        if !self.undamped_min_map_direction() {
+            // So is every system with multipliers that are not unique.
+            return self.memory.asymptotic && growth > FAR;
+        }
+        let memory = &*self.memory;
+        (0..memory.unit.len()).any(|j| {
+            memory.growth(j) > limit && memory.direction[j].abs() > MOVING * memory.here.z[j].abs()
+        })
+    }
+}
+
+impl Memory {
+    /// `|z_j|` in `model_z`, relative to the start or to the unit of the first scales.
+    fn growth(&self, j: usize) -> f64 {
+        self.model_z[j].abs() / self.start[j].abs().max(self.unit[j])
+    }
+}
+
+/// `τ`: the geometric mean of `max(|y_j|, 2⁻¹³ |y⁰_j|)` over the entries that are not 0, in binary
+/// exponents; 1 if all are.
+fn gauge(y: &[f64], start: &[f64]) -> f64 {
+    let (mut sum, mut count) = (0_i64, 0_i64);
+    for (y, start) in y.iter().zip(start) {
+        let of = |x: f64, floor: i32| (x != 0.0).then(|| exponent(x) - floor);
+        if let Some(exponent) = of(*y, 0).max(of(*start, FLOOR)) {
+            sum += i64::from(exponent);
+            count += 1;
+        }
+    }
+    if count == 0 {
+        return 1.0;
+    }
+    power_of_two(i32::try_from(sum.div_euclid(count)).expect("a mean of exponents is one"))
+}
