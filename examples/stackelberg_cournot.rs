@@ -19,7 +19,8 @@
 //! ```text
 //! x <= 10          three followers,   p = (170 − x)/4
 //! 10 <= x <= 70    two,               p = (130 − x)/3
-//! 70 <= x          one,               p = (110 − x)/2
+//! 70 <= x <= 90    one,               p = (110 − x)/2
+//! 90 <= x          none,              p = 100 − x
 //! ```
 //!
 //! and the profit is largest at `x = (130 − 3·15)/2 = 42.5`, with `p = 175/6`. If nobody led, all

@@ -41,7 +41,7 @@
 pub(crate) mod network;
 
 use mcp_core::language::{LabelPairs, LabelSubset, Labels, Table};
-use mcp_core::{AdProblem, Model, ModelError, Options, Set, Solution, Solver, mcp};
+use mcp_core::{AdProblem, Method, Model, ModelError, Options, Set, Solution, Solver, mcp};
 use network::Network;
 use std::error::Error;
 use std::path::{Path, PathBuf};
@@ -112,7 +112,7 @@ pub(crate) fn equilibrium(
     start: &[f64],
 ) -> Result<(Solution, usize), Box<dyn Error>> {
     let mut problem = AdProblem::new(model)?;
-    let mut solver = Solver::new(Options::default())?;
+    let mut solver = Solver::new(Options::new(Method::NewtonFb))?;
     let flows = model.shape().variable("x")?.len();
     let (mut z, mut iterations) = (start.to_vec(), 0);
     for pull in [1e-2, 1e-3, 1e-4, 1e-5] {

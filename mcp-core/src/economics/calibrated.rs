@@ -40,8 +40,8 @@ pub fn calibrated_cost<D: Scalar, I: IntoIterator + Clone>(
 }
 
 /// Demand for an input of [`calibrated_cost`] for one unit of output, its derivative by the price
-/// (Shephard's lemma): `x̄ (index · p̄/p)^σ` with the cost index `c/c̄`. For `σ = 0` it is `x̄` at any
-/// price, 0 included.
+/// (Shephard's lemma): `x̄ (index · p̄/p)^σ` with the cost index `c/c̄`. For `σ = 0` and for
+/// `x̄ = 0` it is `x̄` at any price, 0 included.
 ///
 /// `benchmark` is the pair `(x̄, p̄)`.
 pub fn calibrated_demand<D: Scalar>(
@@ -51,7 +51,7 @@ pub fn calibrated_demand<D: Scalar>(
     price: Real<D>,
 ) -> Real<D> {
     let (quantity, price0) = benchmark;
-    if sigma == 0.0 {
+    if sigma == 0.0 || quantity == 0.0 {
         return Real::from(quantity);
     }
     quantity * (cost_index * price0 / price).pow(sigma)

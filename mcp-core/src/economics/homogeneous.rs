@@ -53,7 +53,8 @@ impl fmt::Debug for NotHomogeneous {
 ///
 /// Names are those of variables or of families: prices, incomes, everything in units of money. Checked
 /// is Euler's identity `Σ p_j ∂F_i/∂p_j = k F_i` with exact derivatives at five points near the
-/// start, to `1e-10` of its terms. Cost: five evaluations of `F` and `J`.
+/// start, to `1e-10` of its terms. An equation that is not finite at one of them has no degree, and
+/// what lies beyond a kink that none of them reaches is not seen. Cost: five evaluations of `F` and `J`.
 ///
 /// ```
 /// use mcp_core::{Real, Scalar, mcp_fn};
@@ -100,7 +101,8 @@ fn degrees(problem: &mut dyn Problem, names: &[&str]) -> Result<Homogeneity, Mod
         }
         for &i in &equations {
             let tolerance = TOLERANCE * terms[i].max(f[i].abs());
-            candidates[i].retain(|&k| (euler[i] - f64::from(k) * f[i]).abs() <= tolerance);
+            let holds = |k: i32| (euler[i] - f64::from(k) * f[i]).abs() <= tolerance;
+            candidates[i].retain(|&k| tolerance.is_finite() && holds(k));
         }
     }
     let degree = |&i: &usize| (shape.equation_name(i), candidates[i].first().copied());

@@ -71,6 +71,26 @@ fn a_forgotten_income_is_found() {
 }
 
 #[test]
+fn an_equation_that_is_not_finite_has_no_degree() {
+    struct Overflow(Shape);
+    impl Model for Overflow {
+        fn shape(&self) -> &Shape {
+            &self.0
+        }
+        fn row<D: Scalar>(&self, _: usize, _: usize, read: &Reader<'_, D>) -> Real<D> {
+            (2000.0 * read.var(0)).exp()
+        }
+    }
+    let shape = Shape::builder()
+        .variable(Variable::new("p").start(1.0))
+        .equation(Equation::new("f").complements("p"))
+        .build()
+        .unwrap();
+    // Euler's identity reads inf = k inf.
+    assert_eq!(check_homogeneous(&Overflow(shape), &["p"]).unwrap().degrees[0].1, None);
+}
+
+#[test]
 fn a_fixed_numeraire_is_scaled_too() {
     let mut model = exchange(0.0);
     model.shape.fix("p[wheat]", 1.0).unwrap();

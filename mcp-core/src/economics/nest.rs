@@ -15,8 +15,9 @@ use crate::scalar::{Real, Scalar, absent};
 /// `y` is then `x̄_i y (c/p_i)^σ`.
 ///
 /// Weights are scaled to sum to 1 here: a sum of `1 + 10⁻¹⁶` to the power `1/(1−σ)` is wrong in
-/// all digits near `σ = 1`. An input of weight 0 is left out; a nest of none costs 1. Weights below 0,
-/// prices below 0 (for `σ > 0`) and an `σ` that is negative or infinite give NaN.
+/// all digits near `σ = 1`. An input of weight 0 is left out; a nest of none costs 1. Weights below 0
+/// or with an infinite sum, prices below 0 (for `σ > 0`), prices that are NaN, and an `σ` that is
+/// negative or infinite give NaN.
 ///
 /// | at | cost | derivative |
 /// | --- | --- | --- |
@@ -26,8 +27,8 @@ use crate::scalar::{Real, Scalar, absent};
 /// | all `p_i = 0` | 0 | `θ_i` (kink) |
 ///
 /// Cost: the inputs are gone through twice, first for the largest and the smallest price. Error: a few
-/// `eps (1 + ln(p_max / p_min))`, for every `σ`; the formula as it stands loses all digits near
-/// `σ = 1`.
+/// `eps (1 + ln(p_max / p_min))`, for every `σ` and ratios of prices up to `1e300`; the formula as it
+/// stands loses all digits near `σ = 1`.
 ///
 /// ```
 /// use mcp_core::Real;
@@ -87,7 +88,7 @@ struct Survey {
 impl Survey {
     fn add(&mut self, weight: f64, price: f64) {
         if weight != 0.0 {
-            self.weight += weight;
+            self.weight += if weight < 0.0 { f64::NAN } else { weight };
             let (smallest, largest) = self.prices.unwrap_or((price, price));
             self.prices = Some((smallest.min(price), largest.max(price)));
             if price == 0.0 {
@@ -107,11 +108,11 @@ enum Form {
     Excess,
     /// `Π (p_i/r)^θ_i`, for `ρ = 0`.
     Product,
-    /// `r = 0`: the inputs that cost nothing decide.
+    /// `r = 0`: the inputs that cost nothing decide. The slope `θ^(1/ρ)` may overflow, but not the cost.
     Free,
     /// There are no inputs.
     Empty,
-    /// `σ` or a weight is no number that it may be.
+    /// `σ`, a weight or a price is no number that it may be.
     Undefined,
 }
 
@@ -129,12 +130,20 @@ impl<D: Scalar> Nest<D> {
     fn new(sigma: f64, survey: &Survey) -> Self {
         let rho = 1.0 - sigma;
         let (smallest, largest) = survey.prices.unwrap_or((1.0, 1.0));
-        let reference = if rho < 0.0 { smallest } else { largest };
+        // A mean takes prices of any sign.
+        let reference = if rho < 0.0 {
+            smallest
+        } else if sigma == 0.0 {
+            largest.max(-smallest)
+        } else {
+            largest
+        };
         // Terms of the form `Excess` lie between 1/e − 1 and 0: nothing cancels, and the error of the
         // logarithm is divided by ρ like the logarithm itself. Elsewhere 1/ρ multiplies the error of
         // the sum, by 4 or by the logarithm of the price ratio at most.
         let is_near_product = rho.abs() < 0.25 && rho.abs() * (largest / smallest).ln() <= 1.0;
-        let form = if !(sigma >= 0.0 && sigma.is_finite()) {
+        let is_defined = sigma >= 0.0 && sigma.is_finite() && survey.weight.is_finite();
+        let form = if !is_defined || smallest < 0.0 && sigma > 0.0 {
             Form::Undefined
         } else if survey.prices.is_none() {
             Form::Empty
@@ -163,9 +172,9 @@ impl<D: Scalar> Nest<D> {
             Form::Product => self.total *= ratio().pow(weight / self.weight),
             Form::Free if price.0.value() == 0.0 => self.total += weight * price,
             // The pattern must not depend on the prices.
-            Form::Free => self.total += Real(absent(price.0)),
+            Form::Free if price.0.value() > 0.0 => self.total += Real(absent(price.0)),
+            Form::Free | Form::Undefined => self.total += f64::NAN * price,
             Form::Empty => {}
-            Form::Undefined => self.total += f64::NAN * price,
         }
     }
 
@@ -175,7 +184,7 @@ impl<D: Scalar> Nest<D> {
             Form::Power => self.reference * mean.pow(1.0 / self.rho),
             Form::Excess => self.reference * (mean.ln_1p() / self.rho).exp(),
             Form::Product => self.reference * self.total,
-            Form::Free => self.free_share.powf(1.0 / self.rho) * mean,
+            Form::Free => self.free_share.powf(1.0 / self.rho).min(f64::MAX) * mean,
             Form::Empty => Real::from(1.0),
             Form::Undefined => self.total,
         }

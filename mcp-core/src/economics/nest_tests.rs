@@ -113,6 +113,35 @@ fn what_is_no_nest_is_nan() {
     assert!(cost(0.5, SHARES, [f64::NAN, 1.0, 1.0]).0.is_nan());
     assert!(cost(0.9, SHARES, [-1.0, 1.0, 1.0]).0.is_nan());
     assert!(cost(1.0, SHARES, [-1.0, 1.0, 1.0]).0.is_nan());
+    for sigma in [0.5, 0.9, 1.0, 2.0] {
+        assert!(cost(sigma, SHARES, [-1.0, -2.0, -3.0]).0.is_nan(), "{sigma}");
+        assert!(cost(sigma, SHARES, [0.0, -1.0, 0.0]).0.is_nan(), "{sigma}");
+        assert!(cost(sigma, SHARES, [0.0, f64::NAN, 0.0]).0.is_nan(), "{sigma}");
+        assert!(cost(sigma, [-1.0, 2.0, 3.0], PRICES).0.is_nan(), "{sigma}");
+        assert!(cost(sigma, [1e308, 1e308, 1.0], PRICES).0.is_nan(), "{sigma}");
+    }
+}
+
+#[test]
+fn prices_of_a_mean_have_any_sign() {
+    let (c, d) = cost(0.0, SHARES, [0.0, -1.0, -1.0]);
+    assert!(near(c, -0.5, 2.0) && (0..3).all(|k| near(d[k], SHARES[k], 4.0)), "{c} {d:?}");
+    let (c, _) = cost(0.0, SHARES, [-4.0, 1.0, 1.0]);
+    assert!(near(c, -1.5, 2.0));
+}
+
+#[test]
+fn what_is_free_costs_nothing_even_where_its_slope_overflows() {
+    let (c, d) = cost(1.0 + 1e-12, SHARES, [0.0, 1.0, 1.0]);
+    assert!(c == 0.0 && d[0] > 1e300, "{c} {d:?}");
+}
+
+#[test]
+fn an_input_that_is_not_used_is_not_demanded_at_any_price() {
+    let [index, price]: [Real<Dual>; 2] =
+        [(1.0, 0), (0.0, 1)].map(|(v, k)| Real::from_scalar(Dual::seed(v, k)));
+    let demand = crate::economics::calibrated_demand(0.5, (0.0, 1.0), index, price).into_scalar();
+    assert_eq!((demand.v, demand.d), (0.0, [0.0; 3]));
 }
 
 #[test]

@@ -9,12 +9,12 @@ use std::fmt;
 #[cfg(feature = "serde")]
 use std::path::Path;
 
-/// Receipts and payments of an account may differ by this part of the larger.
+/// Receipts and payments of an account may differ by this part of all its flows.
 const BALANCE: f64 = 1e-9;
 
 /// A social accounting matrix: the account of a row receives what the account of a column pays.
 ///
-/// It is balanced: every account receives as much as it pays, to `1e-9` of the larger. Units are
+/// It is balanced: every account receives as much as it pays, to `1e-9` of the sizes of its flows. Units are
 /// those of the data, all the same. In a file an empty cell is 0.
 ///
 /// ```
@@ -216,7 +216,9 @@ impl Sam {
         }
         for account in 0..n {
             let (receipts, payments) = (self.receipts(account), self.payments(account));
-            if (receipts - payments).abs() > BALANCE * receipts.abs().max(payments.abs()) {
+            // Sums that overflow are not balanced.
+            let is_balanced = (receipts - payments).abs() <= BALANCE * self.size(account);
+            if !is_balanced {
                 let (account, file) = (self.accounts.label(account), self.file());
                 return Err(SamError::Unbalanced { account, receipts, payments, file });
             }
@@ -231,6 +233,15 @@ impl Sam {
 
     fn payments(&self, account: usize) -> f64 {
         self.flows.iter().skip(account).step_by(self.accounts.len()).sum()
+    }
+
+    /// `Σ |flow|` of what the account receives or of what it pays, the larger: negative flows cancel in
+    /// the sums, rounding errors do not.
+    fn size(&self, account: usize) -> f64 {
+        let n = self.accounts.len();
+        let row: f64 = self.flows[account * n..][..n].iter().map(|flow| flow.abs()).sum();
+        let column = self.flows.iter().skip(account).step_by(n).map(|flow| flow.abs());
+        row.max(column.sum())
     }
 
     /// Where the matrix comes from, to stand before a message.

@@ -16,6 +16,15 @@ fn an_unbalanced_account_is_named_with_both_sums() {
 }
 
 #[test]
+fn rounding_errors_of_flows_that_cancel_are_balanced_and_sums_that_overflow_are_not() {
+    // 0.1 + 0.2 − 0.3 is 5.6e-17, and the account pays nothing.
+    let flows = [[0.1, 0.2, -0.3], [-0.1, 0.0, 0.1], [0.0, -0.2, 0.2]];
+    assert!(Sam::new(["bread", "tax", "subsidy"], flows).is_ok());
+    let told = Sam::new(["a", "b"], [[1e308; 2]; 2]).unwrap_err().to_string();
+    assert!(told.starts_with("account `a` receives inf but pays inf"), "{told}");
+}
+
+#[test]
 fn a_flow_that_is_no_number_is_named_by_its_cell() {
     let mut flows = FLOWS;
     flows[1][0] = f64::INFINITY;

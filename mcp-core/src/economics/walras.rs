@@ -4,7 +4,7 @@ use crate::error::ModelError;
 use crate::model::{BoundKind, Model};
 use crate::problem::{AdProblem, Problem};
 use crate::report::State;
-use crate::solver::Solution;
+use crate::solver::{Solution, Status};
 use nalgebra::DMatrix;
 use std::fmt;
 
@@ -26,6 +26,8 @@ const PROPORTIONAL: f64 = 1e-5;
 pub struct WalrasCheck {
     /// The dropped equations.
     pub dropped: Vec<Dropped>,
+    /// How the solve ended.
+    pub status: Status,
     /// Variables that can move together in proportion, and all equations still hold: without
     /// numeraire, all prices and incomes. Up to 500 variables are searched for them.
     pub movable: Vec<String>,
@@ -40,7 +42,8 @@ pub struct Dropped {
     pub equation: String,
     /// `F_i` at the solution, in the unit of the equation.
     pub f: f64,
-    /// `|F_i| / Σ |J_ij z_j|`: the part of its terms by which it does not hold.
+    /// `|F_i| / Σ |J_ij z_j|`: the part of its terms by which it does not hold; infinite where either
+    /// is not finite.
     pub relative: f64,
 }
 
@@ -56,6 +59,12 @@ pub enum NoWalras {
     NoNumeraire {
         /// The variables that can.
         names: Vec<String>,
+    },
+    /// The point is no solution: nothing follows from equations that do not hold there.
+    #[error("the point is no solution, so no market has to clear: {status}")]
+    NotSolved {
+        /// How the solve ended.
+        status: Status,
     },
     /// No equation was dropped, and prices cannot move together.
     #[error("no variable with an equation is fixed, so no equation was dropped")]
@@ -86,14 +95,15 @@ impl fmt::Debug for NoWalras {
 /// at most 500 variables one singular value decomposition.
 ///
 /// # Errors
-/// [`ModelError::Length`] for a solution with another number of variables, and as
-/// [`Shape::set_parameter`](crate::Shape::set_parameter) for one of another model.
+/// [`ModelError::Length`] for a solution with another number of variables, [`ModelError::OtherModel`]
+/// for one of a model with other variables or parameters.
 pub fn check_walras<M: Model>(model: &M, solution: &Solution) -> Result<WalrasCheck, ModelError> {
     let mut problem = AdProblem::new(model)?;
     let (expected, found) = (problem.shape().n(), solution.z.len());
     if expected != found {
         return Err(ModelError::Length { what: "solution".to_owned(), expected, found });
     }
+    problem.shape().check_families_of(&solution.shape)?;
     for family in solution.shape.parameters() {
         let values = &solution.shape.parameter_values()[family.offset()..][..family.len()];
         problem.set_parameter(family.name(), values)?;
@@ -114,12 +124,19 @@ fn dropped(problem: &mut dyn Problem, solution: &Solution) -> WalrasCheck {
         shape.bounds().kind(i) == BoundKind::Fixed && shape.row_of_variable(i).is_some()
     };
     let check = |i: usize| {
-        let relative = if f[i] == 0.0 { 0.0 } else { f[i].abs() / terms[i] };
+        let relative = if f[i] == 0.0 {
+            0.0
+        } else if f[i].is_finite() && terms[i].is_finite() {
+            f[i].abs() / terms[i]
+        } else {
+            f64::INFINITY
+        };
         let (variable, equation) = (shape.variable_name(i), shape.equation_name(i));
         Dropped { variable, equation, f: f[i], relative }
     };
     let movable = movable(problem, solution, &jac);
-    WalrasCheck { dropped: (0..z.len()).filter(is_dropped).map(check).collect(), movable }
+    let dropped = (0..z.len()).filter(is_dropped).map(check).collect();
+    WalrasCheck { dropped, status: solution.status, movable }
 }
 
 /// Variables between their bounds whose common growth leaves all their equations as they are: the
@@ -176,11 +193,14 @@ impl WalrasCheck {
     /// Whether all dropped equations hold, to `1e-8` of their terms.
     ///
     /// # Errors
-    /// [`NoWalras::NoNumeraire`] if prices can move together, [`NoWalras::NothingDropped`],
-    /// [`NoWalras::Gap`] for the dropped equation that holds worst.
+    /// [`NoWalras::NoNumeraire`] if prices can move together, [`NoWalras::NotSolved`],
+    /// [`NoWalras::NothingDropped`], [`NoWalras::Gap`] for the dropped equation that holds worst.
     pub fn verdict(&self) -> Result<(), NoWalras> {
         if !self.movable.is_empty() {
             return Err(NoWalras::NoNumeraire { names: self.movable.clone() });
+        }
+        if self.status != Status::Solved {
+            return Err(NoWalras::NotSolved { status: self.status });
         }
         let worst = self.dropped.iter().max_by(|a, b| a.relative.total_cmp(&b.relative));
         match worst {

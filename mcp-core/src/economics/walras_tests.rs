@@ -78,7 +78,38 @@ fn money_that_is_fixed_in_the_model_is_a_numeraire_of_its_own() {
 }
 
 #[test]
+fn nothing_is_said_of_a_point_that_is_no_solution() {
+    let mut model = exchange(0.0);
+    model.shape.fix("p[wheat]", 1.0).unwrap();
+    let mut solution = solve(&model, &Options::default()).unwrap();
+    solution.status = Status::IterationLimit;
+    let verdict = check_walras(&model, &solution).unwrap().verdict();
+    assert_eq!(verdict, Err(NoWalras::NotSolved { status: Status::IterationLimit }));
+}
+
+#[test]
+fn an_equation_that_is_not_finite_does_not_hold() {
+    let mut model = exchange(f64::INFINITY);
+    model.shape.fix("p[wheat]", 1.0).unwrap();
+    let mut other = exchange(0.0);
+    other.shape.fix("p[wheat]", 1.0).unwrap();
+    let solution = solve(&other, &Options::default()).unwrap().solved().unwrap();
+    let check = check_walras(&model, &solution).unwrap();
+    assert_eq!(check.dropped[0].relative, f64::INFINITY);
+    assert!(matches!(check.verdict(), Err(NoWalras::Gap(_))));
+}
+
+#[test]
 fn a_solution_of_another_model_is_refused() {
+    let towns = Set::new("towns", ["paris", "rome"]).unwrap();
+    let rents = Shape::builder()
+        .variable(Variable::new("rent").over(&[&towns]).start(0.6))
+        .equation(Equation::new("market").over(&[&towns]).complements("rent"))
+        .build()
+        .unwrap();
+    let rents = solve(&Exchange { shape: rents, leak: 0.0 }, &Options::default()).unwrap();
+    assert!(matches!(check_walras(&exchange(0.0), &rents), Err(ModelError::OtherModel { .. })));
+
     let mut other = solve(&exchange(0.0), &Options::default()).unwrap();
     other.z.pop();
     let told = check_walras(&exchange(0.0), &other).unwrap_err().to_string();

@@ -116,3 +116,7 @@ impl Scalar for Wide {
         select(; s, a, b; )
     }
 }
+
+#[cfg(test)]
+#[path = "wide_tests.rs"]
+mod tests;

@@ -76,7 +76,9 @@ impl Change {
     /// Whether the two differ by more than `1e-9` of the larger, which two solves of one problem do
     /// not.
     pub fn is_change(&self) -> bool {
-        !(self.absolute().abs() <= UNCHANGED * self.before.abs().max(self.after.abs()))
+        let slack = UNCHANGED * self.before.abs().max(self.after.abs());
+        let is_near = slack.is_finite() && self.absolute().abs() <= slack;
+        self.after != self.before && !is_near
     }
 }
 

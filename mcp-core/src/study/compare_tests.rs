@@ -62,6 +62,10 @@ fn what_does_not_change_is_counted_and_zero_has_no_percentage() {
     assert!(changes.to_string().contains("new"), "{changes}");
     let fall = Change { name: "y".into(), before: -2.0, after: -3.0, unit: String::new() };
     assert_eq!(fall.percent(), -50.0);
+    let change = |before, after| Change { before, after, ..fall.clone() };
+    let inf = f64::INFINITY;
+    assert!(!change(inf, inf).is_change() && change(inf, -inf).is_change());
+    assert!(change(1.0, f64::NAN).is_change());
 }
 
 #[test]

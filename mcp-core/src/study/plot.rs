@@ -32,6 +32,9 @@ pub enum PlotError {
     /// No column has two finite numbers to draw a line through.
     #[error("there is nothing to plot: no number has two finite values")]
     Nothing,
+    /// The numbers are so large that their range overflows.
+    #[error("the numbers are too large to plot: their range is no number")]
+    TooWide,
     /// The picture could not be made or its file not be written.
     #[error("the plot cannot be drawn: {reason}")]
     Drawing {
@@ -68,6 +71,10 @@ impl SweepTable {
         }
         let (left, right) = range(points().map(|point| point.0), 0.0);
         let (low, high) = range(points().map(|point| point.1), MARGIN);
+        // Of endless axes the marks would never end.
+        if ![right - left, high - low].into_iter().all(f64::is_finite) {
+            return Err(PlotError::TooWide);
+        }
         let area = backend.into_drawing_area();
         area.fill(&WHITE).map_err(failed)?;
         let mut chart = ChartBuilder::on(&area)

@@ -1,7 +1,7 @@
 //! [`sweep`]: one model, many values of a parameter.
 
 use crate::error::ModelError;
-use crate::model::{Family, Model};
+use crate::model::{Family, Model, Shape};
 use crate::problem::{AdProblem, Derived, Problem};
 use crate::report::State;
 use crate::solver::{Options, Solution, Solver};
@@ -94,8 +94,8 @@ pub fn sweep<M: Model>(model: &M, parameter: &str, values: &[f64]) -> Result<Swe
 /// that fails from there too is a point whose status says so, and the sweep goes on.
 ///
 /// # Errors
-/// [`ModelError::UnknownName`] for the parameter, [`ModelError::ParameterNotFinite`] for a value, and
-/// as [`solve`](crate::solve).
+/// [`ModelError::UnknownName`] for the parameter and [`ModelError::ParameterNotFinite`] for a value,
+/// before the first solve, and as [`solve`](crate::solve).
 pub fn sweep_with<M: Model>(
     model: &M,
     parameter: &str,
@@ -128,6 +128,9 @@ fn run(
     options: &Options,
     seen: &mut dyn FnMut(&SweepPoint),
 ) -> Result<Sweep, ModelError> {
+    // The last solve is no time to learn that a value is none; a sweep of none has a parameter too.
+    let mut shape = Shape::clone(problem.shape());
+    values.iter().chain([&0.0]).try_for_each(|&value| shape.fill_parameter(parameter, value))?;
     let mut solver = Solver::new(options.clone())?;
     let mut points: Vec<SweepPoint> = Vec::with_capacity(values.len());
     let mut last: Option<usize> = None;

@@ -124,6 +124,11 @@ fn wrong_names_and_values_are_named() {
         "there is no parameter `taxes`; did you mean `tax`?"
     );
     assert!(told(sweep(&mine(), "tax", &[f64::NAN])).contains("tax"));
+    assert!(told(sweep(&mine(), "taxes", &[])).contains("taxes"));
+    let mut solves = 0;
+    let values = [0.0, 1.0, f64::NAN];
+    let late = sweep_with(&mine(), "tax", &values, &Options::default(), &mut |_| solves += 1);
+    assert!(late.is_err() && solves == 0);
     let sweep = sweep(&mine(), "tax", &[0.0]).unwrap();
     assert_eq!(
         sweep.of(&["revenu"]).unwrap_err().to_string(),
@@ -157,4 +162,7 @@ fn a_picture_has_a_line_for_each_number_and_a_mark_for_each_change() {
     let one = super::super::sweep(&mine(), "tax", &[0.0]).unwrap();
     let told = one.of(&["q"]).unwrap().svg().unwrap_err().to_string();
     assert_eq!(told, "there is nothing to plot: no number has two finite values");
+    let mut endless = table;
+    endless.columns[0].values = vec![-1e308, 1e308, 0.0, 0.0];
+    assert!(matches!(endless.svg(), Err(super::super::PlotError::TooWide)));
 }
