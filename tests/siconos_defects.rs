@@ -10,7 +10,7 @@ use common::{FREE, INF, NONNEGATIVE, affine, check_honest, dense, natural_residu
 use common::{siconos, solve, solve_from, watch, with_pattern};
 use mcp_core::{
     Linear, Method, ModelError, Nonmonotone, Options, Pattern, Problem, Solution, Solver, Status,
-    Verdict, certify, globalise::Reference, testing,
+    Verdict, examine, globalise::Reference, testing,
 };
 
 fn log(z: f64) -> (f64, f64) {
@@ -62,7 +62,7 @@ fn d01_nan_in_the_equation_of_a_fixed_variable_is_not_overlooked() {
 fn d02_the_certificate_hides_no_nan() {
     for bounds in [NONNEGATIVE, (-INF, 0.0), (0.0, 0.0), (0.0, 1.0), FREE] {
         let mut problem = scalar(bounds, 0.0, |_| (f64::NAN, 1.0));
-        let certificate = certify(&mut problem, &[0.0]).unwrap();
+        let certificate = examine(&mut problem, &[0.0]).unwrap();
         assert!(certificate.natural_residual.is_nan(), "{bounds:?}: {certificate:?}");
         assert!(certificate.relative_residual.is_nan(), "{bounds:?}");
         assert!(!certificate.is_finite);

@@ -5,7 +5,7 @@ mod common;
 use common::{FREE, INF, NONNEGATIVE, check_honest, dense, scalar, solve, solve_from, watch};
 use mcp_core::{
     AdProblem, Diagnosis, Iteration, Linear, LinearError, Method, ModelError, Options, Problem,
-    Real, Scalar, Solution, Solver, Stage, StageEnd, Stall, Status, Verdict, certify, mcp_fn,
+    Real, Scalar, Solution, Solver, Stage, StageEnd, Stall, Status, Verdict, examine, mcp_fn,
     testing,
 };
 use std::collections::BTreeSet;
@@ -163,7 +163,7 @@ fn a_large_residual_is_never_asymptotic() {
                 f.copy_from_slice(&[1e-14 * z[0] - 1.0, z[1] - 2.0]);
                 jac.copy_from_slice(&[1e-14, 0.0, 0.0, 1.0]);
             });
-            let certificate = certify(&mut far, &[1e14, -3e15]).unwrap();
+            let certificate = examine(&mut far, &[1e14, -3e15]).unwrap();
             assert!(certificate.diverging.is_some());
             assert_eq!(certificate.verdict(tol, 1e-8), Verdict::Refused, "{method} {tol:?}");
         }

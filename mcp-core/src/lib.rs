@@ -31,10 +31,11 @@
 //! # Where to read on
 //!
 //! [`mcp!`](macro@mcp) the modelling language · [`language`] what its models are made of: data, sets,
-//! views · [`economics`] cost functions, accounts, laws of economies · [`scalar`] numbers inside a model and their corners · [`model`] what the language and a
+//! views · [`kkt`] nonlinear programs by their optimality conditions ·
+//! [`economics`] cost functions, accounts, laws of economies · [`scalar`] numbers inside a model and their corners · [`model`] what the language and a
 //! hand-written model become · [`problem`] exact derivatives and their pattern · [`solver`] methods, options, statuses, the
 //! certificate · [`ncp`] complementarity functions · [`globalise`] line searches · [`linalg`]
-//! linear systems · [`report`] tables by name · [`study`] sweeps over a parameter and comparisons.
+//! linear systems · [`certify`](mod@certify) proofs that a solution is near · [`report`] tables by name · [`study`] sweeps over a parameter and comparisons.
 //!
 //! # References
 //!
@@ -62,9 +63,14 @@
 //! | \[Kan96\] | C. Kanzow (1996), Some noninterior continuation methods for linear complementarity problems. SIAM J. Matrix Anal. Appl. 17 |
 //! | \[KK98\] | C. Kanzow, H. Kleinmichel (1998), A new class of semismooth Newton-type methods for nonlinear complementarity problems. Comput. Optim. Appl. 11 |
 //! | \[KP04\] | C. Kanzow, S. Petra (2004), On a semismooth least squares formulation of complementarity problems with gap reduction. Optim. Methods Softw. 19 |
+//! | \[Kra69\] | R. Krawczyk (1969), Newton-Algorithmen zur Bestimmung von Nullstellen mit Fehlerschranken. Computing 4 |
 //! | \[Mat85\] | L. Mathiesen (1985), Computation of economic equilibria by a sequence of linear complementarity problems. Math. Prog. Study 23 |
 //! | \[MGH81\] | J. J. Moré, B. S. Garbow, K. E. Hillstrom (1981), Testing unconstrained optimization software. ACM Trans. Math. Softw. 7 |
+//! | \[Moo66\] | R. E. Moore (1966), Interval Analysis. Prentice-Hall |
 //! | \[Mur78\] | K. G. Murty (1978), Computational complexity of complementary pivot methods. Math. Prog. Study 7 |
+//! | \[Neu90\] | A. Neumaier (1990), Interval Methods for Systems of Equations. Cambridge |
+//! | \[NW06\] | J. Nocedal, S. J. Wright (2006), Numerical Optimization, 2nd ed. Springer |
+//! | \[Rob80\] | S. M. Robinson (1980), Strongly regular generalized equations. Math. Oper. Res. 5 |
 //! | \[Rui01\] | D. Ruiz (2001), A scaling algorithm to equilibrate both rows and columns norms in matrices. RAL-TR-2001-034 |
 //! | \[Rut99\] | T. F. Rutherford (1999), Applied general equilibrium modeling with MPSGE as a GAMS subsystem. Comput. Econ. 14 |
 //! | \[SLF14\] | G. L. Steele, D. Lea, C. H. Flood (2014), Fast splittable pseudorandom number generators. OOPSLA |
@@ -77,9 +83,11 @@ extern crate self as mcp_core;
 #[path = "private.rs"]
 pub mod __private;
 mod apart;
+pub mod certify;
 pub mod economics;
 pub mod error;
 pub mod globalise;
+pub mod kkt;
 pub mod language;
 pub mod linalg;
 pub mod model;
@@ -92,6 +100,7 @@ pub mod study;
 #[cfg(feature = "testing")]
 pub mod testing;
 
+pub use certify::{Accuracy, Degeneracy, Proof, Refusal, Weakest, certify};
 pub use error::ModelError;
 pub use globalise::{Armijo, Nonmonotone, Stall};
 pub use linalg::{Linear, LinearError, LinearSolver};
@@ -108,14 +117,14 @@ pub use report::{
     ReportRow, State, Statement, Statistics,
 };
 pub use scalar::{
-    Counted, Jet, Magnitude, OperationCounts, Real, Scalar, Tally, Total, Trace, atan2, external,
-    hypot, logsumexp, max, min, prod, select, smooth_max, smooth_min, sum, when,
+    Counted, Interval, Jet, Magnitude, OperationCounts, Real, Scalar, Tally, Total, Trace, atan2,
+    external, hypot, logsumexp, max, min, prod, select, smooth_max, smooth_min, sum, when,
 };
 pub use solver::{
     Certificate, Criterion, Descent, Diagnosis, Direction, DomainFault, Iteration, Method, Monitor,
     NotSolved, Options, PointCheck, PointRow, Robust, Solution, Solver, Stage, StageEnd,
-    StageRecord, Stats, Status, UnknownMethod, Verdict, Violation, WrongPoint, certify,
-    check_point, solve, solve_from,
+    StageRecord, Stats, Status, UnknownMethod, Verdict, Violation, WrongPoint, check_point,
+    examine, solve, solve_from,
 };
 
 #[cfg(doctest)]

@@ -3,7 +3,7 @@
 #![allow(dead_code, reason = "every test file uses another part")]
 
 use mcp_core::{
-    Criterion, Iteration, Method, Options, Pattern, Problem, Shape, Solution, Solver, certify,
+    Criterion, Iteration, Method, Options, Pattern, Problem, Shape, Solution, Solver, examine,
 };
 use std::ops::ControlFlow;
 use std::sync::Arc;
@@ -179,7 +179,7 @@ pub(crate) fn check_honest(
     assert!(problem.shape().bounds().contain(&solution.z), "{case}: outside the box");
     let bits = |values: &[f64]| values.iter().map(|v| v.to_bits()).collect::<Vec<_>>();
     assert_eq!(bits(&solution.f), bits(&f), "{case}: F as reported");
-    let verdict = certify(problem, &solution.z)
+    let verdict = examine(problem, &solution.z)
         .expect("z has the right length")
         .verdict(options.tol, options.tol_relative);
     let accepted = verdict == mcp_core::Verdict::Accepted;

@@ -47,6 +47,9 @@ pub fn ces<D: Scalar, I: IntoIterator + Clone>(
     inputs: I,
     mut weight_and_price: impl FnMut(I::Item) -> (f64, Real<D>),
 ) -> Real<D> {
+    if D::ENCLOSES {
+        return textbook_cost(sigma, inputs, weight_and_price);
+    }
     let mut survey = Survey::default();
     for i in inputs.clone() {
         let (weight, price) = weight_and_price(i);
@@ -58,6 +61,35 @@ pub fn ces<D: Scalar, I: IntoIterator + Clone>(
         nest.add(weight, price);
     }
     nest.cost()
+}
+
+/// The formula as it stands, for sets of numbers: the forms of [`Nest`] are chosen by the values of
+/// the prices, and its exponents are rounded.
+fn textbook_cost<D: Scalar, I: IntoIterator>(
+    sigma: f64,
+    inputs: I,
+    mut weight_and_price: impl FnMut(I::Item) -> (f64, Real<D>),
+) -> Real<D> {
+    let rho: Real<D> = 1.0 - Real::from(sigma);
+    let (mut weights, mut total): (Real<D>, Real<D>) = (Real::from(0.0), Real::from(0.0));
+    for i in inputs {
+        let (weight, price) = weight_and_price(i);
+        if weight != 0.0 {
+            weights += weight;
+            total += weight
+                * match sigma {
+                    0.0 => price,
+                    1.0 => price.ln(),
+                    _ => price.pow(rho),
+                };
+        }
+    }
+    match sigma {
+        _ if weights.0.is_zero() => Real::from(1.0),
+        0.0 => total / weights,
+        1.0 => (total / weights).exp(),
+        _ => (total / weights).pow(1.0 / rho),
+    }
 }
 
 /// Unit cost of a nest of two inputs, of which the first has this share of the benchmark value:

@@ -1,4 +1,5 @@
 use super::*;
+use crate::scalar::Interval;
 use crate::scalar::Jet;
 use proptest::prelude::*;
 
@@ -186,5 +187,25 @@ proptest! {
         let prices = exponents.map(|x: f64| 10_f64.powf(x));
         let (before, after) = (cost(sigma, SHARES, prices).0, cost(sigma + more, SHARES, prices).0);
         prop_assert!(after <= before * (1.0 + 1e-14));
+    }
+}
+
+/// Over sets the formula as it stands is evaluated, outwards: near `σ = 1` wide, never wrong.
+#[test]
+fn costs_over_intervals_contain_the_costs_inside() {
+    let cost = |sigma: f64, p: Real<Jet<1, Interval>>| {
+        ces(sigma, [(1.0, p), (3.0, 2.0 * p), (0.0, p), (2.0, Real::from(0.7))], |x| x)
+            .into_scalar()
+    };
+    for sigma in [0.0, 0.3, 0.5, 0.999, 1.0, 1.2, 2.0, 7.5] {
+        let prices = Jet::variable(Interval::new(0.9, 1.1), 0);
+        let c = cost(sigma, Real::from_scalar(prices));
+        for p in [0.9, 0.95, 1.0, 1.1] {
+            let x = Real::from_scalar(Jet::<1>::seed(p, 0));
+            let inputs = [(1.0, x), (3.0, 2.0 * x), (0.0, x), (2.0, Real::from(0.7))];
+            let exact = ces(sigma, inputs, |input| input).into_scalar();
+            assert!(c.v.contains(exact.v) && c.v.is_finite(), "{sigma} {p}: {c:?} {exact:?}");
+            assert!(c.d[0].contains(exact.d[0]), "{sigma} {p}: {c:?} {exact:?}");
+        }
     }
 }

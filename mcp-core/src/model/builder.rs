@@ -105,6 +105,14 @@ impl Equation {
     pub fn new(name: impl Into<String>) -> Self {
         Equation { family: Family::new(name.into()), variable: String::new(), elements: None }
     }
+    /// One equation for each element of a variable family, complementary to it, called as the
+    /// variables with a prefix.
+    pub(crate) fn of_each(prefix: &str, variable: &Variable) -> Self {
+        let name = variable.family.name.clone();
+        let family = Family { name: format!("{prefix}{name}"), ..variable.family.clone() };
+        let family = Family { about: String::new(), unit: String::new(), ..family };
+        Equation { family, variable: name, elements: None }
+    }
     /// Pairs row `k` with element `k` of a variable family of the same size. Where only some
     /// combinations of the sets exist, they must be the same in both families.
     #[must_use]

@@ -77,6 +77,33 @@ impl<M: Model> AdProblem<M> {
         }
     }
 
+    /// The problem that a solution belongs to: with its bounds and parameters.
+    pub(crate) fn of_solution(model: M, solution: &Solution) -> Result<Self, ModelError> {
+        let mut problem = Self::new(model)?;
+        let (own, shape) = (&problem.shape, &solution.shape);
+        let sizes = [
+            ("variables of the solution", own.n(), shape.n()),
+            ("numbers of the solution", own.n(), solution.z.len()),
+            ("equations of the solution", own.row_count(), shape.row_count()),
+            (
+                "parameters of the solution",
+                own.parameter_values().len(),
+                shape.parameter_values().len(),
+            ),
+        ];
+        if let Some((what, expected, found)) = sizes.into_iter().find(|(_, a, b)| a != b) {
+            return Err(ModelError::Length { what: what.to_owned(), expected, found });
+        }
+        problem.shape = Arc::clone(shape);
+        Ok(problem)
+    }
+
+    /// All rows in the order of declaration, in any arithmetic.
+    pub(crate) fn rows_at<D: Scalar>(&self, z: &[Real<D>]) -> Vec<Real<D>> {
+        let parameters = constants(self.shape.parameter_values());
+        evaluate_all(&self.model, &self.shape, z, &parameters)
+    }
+
     /// Instead of `J`, the sums of the absolute terms of its entries.
     pub(super) fn of_magnitudes(model: M) -> Result<Self, ModelError> {
         Self::assemble(

@@ -3,7 +3,7 @@
 use crate::model::{Equation, Model, Reader, Set, Shape, Variable};
 use crate::problem::{AdProblem, Pattern, Problem};
 use crate::scalar::{Real, Scalar};
-use crate::solver::{DomainFault, Method, Solution, Stats, Status, certify};
+use crate::solver::{DomainFault, Method, Solution, Stats, Status, examine};
 use std::io::{self, Write};
 use std::sync::Arc;
 
@@ -52,7 +52,7 @@ impl Linear {
             z: z.to_vec(),
             f,
             status,
-            certificate: certify(self, z).unwrap(),
+            certificate: examine(self, z).unwrap(),
             stats,
             method: Method::NewtonFb,
             fault: None,

@@ -216,7 +216,9 @@ pub fn logsumexp<D: Scalar, I: IntoIterator>(
         if value.is_nan() || value == f64::INFINITY {
             unbounded = Some(unbounded.map_or(x, |others| others + x));
         } else if value > largest {
-            sum = sum.scale((largest - value).exp()) + x.shift(-value).exp();
+            let rescale = D::constant(largest).shift(-value).exp();
+            sum = if largest.is_finite() { sum * rescale } else { absent(sum) }
+                + x.shift(-value).exp();
             largest = value;
         } else if value > f64::NEG_INFINITY {
             sum = sum + x.shift(-largest).exp();

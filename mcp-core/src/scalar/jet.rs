@@ -1,6 +1,7 @@
 //! [`Jet`]: a value with `N` exact tangents, over any base arithmetic.
 
 use super::Scalar;
+use super::undecided::{may_be_zero, unit_slopes};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// `v + Σ dₖ εₖ` with `εₖ² = 0`: a value and its derivatives along `N` directions.
@@ -86,7 +87,7 @@ impl<const N: usize, T: Scalar> Jet<N, T> {
 
 /// A number for every lane. `array::from_fn` would be compiled for each closure.
 #[inline]
-fn lanes<const N: usize, T: Scalar>(lane: impl Fn(usize) -> T) -> [T; N] {
+pub(super) fn lanes<const N: usize, T: Scalar>(lane: impl Fn(usize) -> T) -> [T; N] {
     let mut lanes = [T::constant(0.0); N];
     let mut k = 0;
     while k < N {
@@ -165,6 +166,7 @@ impl<const N: usize, T: Scalar> Div for Jet<N, T> {
 
 impl<const N: usize, T: Scalar> Scalar for Jet<N, T> {
     const LANES: usize = N;
+    const ENCLOSES: bool = T::ENCLOSES;
 
     #[inline]
     fn constant(v: f64) -> Self {
@@ -189,6 +191,18 @@ impl<const N: usize, T: Scalar> Scalar for Jet<N, T> {
     #[inline]
     fn is_finite(&self) -> bool {
         self.v.is_finite() && self.d.iter().all(T::is_finite)
+    }
+    #[inline]
+    fn rounded(v: f64) -> Self {
+        Jet { v: T::rounded(v), d: [T::constant(0.0); N] }
+    }
+    #[inline]
+    fn overlaps(&self, other: &Self) -> bool {
+        self.v.overlaps(&other.v)
+    }
+    #[inline]
+    fn hull(self, other: Self) -> Self {
+        Jet { v: self.v.hull(other.v), d: self.d }.with_unknown_tangents()
     }
     #[inline]
     fn with_unknown_tangents(self) -> Self {
@@ -329,7 +343,7 @@ impl<const N: usize, T: Scalar> Scalar for Jet<N, T> {
     #[inline]
     fn log10(self) -> Self {
         let v = self.v.log10();
-        let slope = T::constant(std::f64::consts::LOG10_E) / self.v.abs();
+        let slope = T::rounded(std::f64::consts::LOG10_E) / self.v.abs();
         if v.value().is_nan() { self.chain(v, v) } else { self.chain(v, slope) }
     }
     #[inline]
@@ -411,13 +425,22 @@ impl<const N: usize, T: Scalar> Scalar for Jet<N, T> {
     fn hypot(self, y: Self) -> Self {
         let (a, b) = (self.v, y.v);
         let r = a.hypot(b);
+        let (a_may_vanish, b_may_vanish) = (may_be_zero(a), may_be_zero(b));
+        if a_may_vanish && b_may_vanish {
+            return self.chain2(y, r, unit_slopes(), unit_slopes());
+        }
         if r.value() == 0.0 {
             return Jet { v: r, d: [T::constant(0.0); N] };
         }
-        let (larger, t) = if a.value().abs() >= b.value().abs() { (a, b / a) } else { (b, a / b) };
+        let a_is_larger = if a_may_vanish || b_may_vanish {
+            b_may_vanish
+        } else {
+            a.value().abs() >= b.value().abs()
+        };
+        let (larger, t) = if a_is_larger { (a, b / a) } else { (b, a / b) };
         let major =
             t.limit_product(t).shift(1.0).sqrt().recip().scale(1_f64.copysign(larger.value()));
-        if a.value().abs() >= b.value().abs() {
+        if a_is_larger {
             self.chain2(y, r, major, t * major)
         } else {
             self.chain2(y, r, t * major, major)
@@ -433,6 +456,8 @@ impl<const N: usize, T: Scalar> Scalar for Jet<N, T> {
         let v = self.v.abs();
         if v.value().is_nan() {
             self.chain(v, v)
+        } else if may_be_zero(self.v) {
+            self.chain(v, unit_slopes())
         } else if self.value() < 0.0 {
             -self
         } else {
@@ -444,6 +469,8 @@ impl<const N: usize, T: Scalar> Scalar for Jet<N, T> {
         let (a, b) = (self.value(), other.value());
         if a.is_nan() || b.is_nan() {
             self.unknown(other, self.v.max(other.v))
+        } else if T::ENCLOSES && self.v.overlaps(&other.v) {
+            self.either(other, self.v.max(other.v))
         } else if a >= b {
             self
         } else {
@@ -455,6 +482,8 @@ impl<const N: usize, T: Scalar> Scalar for Jet<N, T> {
         let (a, b) = (self.value(), other.value());
         if a.is_nan() || b.is_nan() {
             self.unknown(other, self.v.min(other.v))
+        } else if T::ENCLOSES && self.v.overlaps(&other.v) {
+            self.either(other, self.v.min(other.v))
         } else if a <= b {
             self
         } else {
@@ -466,6 +495,8 @@ impl<const N: usize, T: Scalar> Scalar for Jet<N, T> {
         if s.value().is_nan() {
             let v = T::select(s.v, a.v, b.v);
             s.chain2(a.chain2(b, v, v, v), v, v, T::constant(1.0))
+        } else if may_be_zero(s.v) {
+            Self::undecided(s, a, b)
         } else if s.value() > 0.0 {
             a
         } else {

@@ -3,8 +3,8 @@
 //! A model computes `F(z)` with [`Real<D>`] numbers, where `D` is any [`Scalar`]: plain `f64` for
 //! values, [`Jet`] for values with exact first derivatives (nested: second derivatives), num-dual's
 //! types as an independent second opinion, [`Trace`] for the sparsity pattern, [`Counted`] for the
-//! number of operations. The same text therefore gives `F`, `J`, the pattern and the cost, and they
-//! can not disagree.
+//! number of operations, [`Interval`] for proofs. The same text therefore gives `F`, `J`, the pattern,
+//! the cost and enclosures, and they can not disagree.
 //!
 //! # Values and derivatives at the corners
 //!
@@ -115,6 +115,7 @@
 mod count;
 mod external;
 mod functions;
+mod interval;
 mod jet;
 mod magnitude;
 mod num_dual;
@@ -124,12 +125,14 @@ mod sums;
 #[cfg(test)]
 mod tests;
 mod trace;
+mod undecided;
 mod wide;
 
 pub use count::{Counted, OperationCounts, Tally};
 pub use external::external;
 pub(crate) use functions::absent;
 pub use functions::{Exponent, atan2, hypot, logsumexp, max, min, select, smooth_max, smooth_min};
+pub use interval::Interval;
 pub use jet::Jet;
 pub use magnitude::Magnitude;
 pub use real::Real;
@@ -142,7 +145,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// What a model may do to a number.
 ///
-/// Implemented for `f64`, [`Jet`], [`Trace`], [`Counted`] and num-dual's `Dual64`,
+/// Implemented for `f64`, [`Jet`], [`Interval`], [`Trace`], [`Counted`] and num-dual's `Dual64`,
 /// `DualSVec64<N>`, `Dual2_64`, `HyperDual64`. Model code never calls these methods: it works with
 /// [`Real<D>`], which has the operators and functions. Corner values: [module page](self).
 #[diagnostic::on_unimplemented(
@@ -161,6 +164,9 @@ pub trait Scalar:
 {
     /// Number of tangent lanes an engine can seed; 0 for arithmetics without derivatives.
     const LANES: usize;
+    /// Whether a number stands for all numbers of a set, so that a comparison may be undecided.
+    #[doc(hidden)]
+    const ENCLOSES: bool = false;
 
     /// The constant `v`: all tangents zero.
     fn constant(v: f64) -> Self;
@@ -180,6 +186,25 @@ pub trait Scalar:
     /// The number with `value` and first derivatives `gradient` by `arguments`; derivatives of
     /// higher order are NaN.
     fn linearised<const K: usize>(value: f64, gradient: &[f64; K], arguments: &[Self; K]) -> Self;
+
+    /// A constant of mathematics whose nearest `f64` is `v`.
+    #[doc(hidden)]
+    #[inline]
+    fn rounded(v: f64) -> Self {
+        Self::constant(v)
+    }
+    /// Whether the set has a number in common with `other`, or touches it.
+    #[doc(hidden)]
+    #[inline]
+    fn overlaps(&self, _other: &Self) -> bool {
+        false
+    }
+    /// A set that contains both; its tangents are unknown, because what lies between may jump.
+    #[doc(hidden)]
+    #[inline]
+    fn hull(self, _other: Self) -> Self {
+        self
+    }
 
     /// `self + term`, in place: what sums repeat.
     #[doc(hidden)]

@@ -98,13 +98,13 @@ impl Certificate {
     }
 }
 
-/// Judges `z`: computes `F` and `J` there and measures.
+/// Examines `z`: computes `F` and `J` there and measures.
 ///
 /// # Errors
 /// [`ModelError::Length`] if `z` does not have one entry for each variable.
 ///
 /// ```
-/// use mcp_core::{AdProblem, certify, Verdict};
+/// use mcp_core::{AdProblem, Verdict, examine};
 /// # use mcp_core::{Equation, Model, Reader, Real, Scalar, Shape, Variable};
 /// # struct Line(Shape);
 /// # impl Model for Line {
@@ -116,11 +116,11 @@ impl Certificate {
 /// # let shape = Shape::builder().variable(Variable::new("x").lower(0.0))
 /// #     .equation(Equation::new("f").complements("x")).build()?;
 /// let mut problem = AdProblem::new(Line(shape))?; // 2x − 4 ⟂ x >= 0
-/// assert_eq!(certify(&mut problem, &[2.0])?.verdict(None, 1e-8), Verdict::Accepted);
-/// assert_eq!(certify(&mut problem, &[2.1])?.verdict(None, 1e-8), Verdict::Refused);
+/// assert_eq!(examine(&mut problem, &[2.0])?.verdict(None, 1e-8), Verdict::Accepted);
+/// assert_eq!(examine(&mut problem, &[2.1])?.verdict(None, 1e-8), Verdict::Refused);
 /// # Ok::<(), mcp_core::ModelError>(())
 /// ```
-pub fn certify(problem: &mut dyn Problem, z: &[f64]) -> Result<Certificate, ModelError> {
+pub fn examine(problem: &mut dyn Problem, z: &[f64]) -> Result<Certificate, ModelError> {
     let n = problem.shape().n();
     if z.len() != n {
         return Err(ModelError::Length { what: "z".to_owned(), expected: n, found: z.len() });
@@ -207,8 +207,18 @@ impl Certifier {
         &self.f
     }
 
+    /// `w_j`, what counts as the size of each variable at the point judged last.
+    pub(crate) fn weight(&self) -> &[f64] {
+        &self.weight
+    }
+
+    /// `s_i`, the size of the terms of each equation at the point judged last.
+    pub(crate) fn row_size(&self) -> &[f64] {
+        &self.row_size
+    }
+
     /// `J` at the point judged last.
-    pub(super) fn jac(&self) -> &[f64] {
+    pub(crate) fn jac(&self) -> &[f64] {
         &self.jac
     }
 

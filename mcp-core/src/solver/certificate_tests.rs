@@ -55,13 +55,13 @@ const FREE: (f64, f64) = (-INF, INF);
 const NONNEGATIVE: (f64, f64) = (0.0, INF);
 
 fn verdict(problem: &mut Line, z: &[f64]) -> Verdict {
-    certify(problem, z).unwrap().verdict(Some(1e-6), 1e-8)
+    examine(problem, z).unwrap().verdict(Some(1e-6), 1e-8)
 }
 
 #[test]
 fn zero_is_a_solution_like_any_other() {
     // z = 0, F = 0, from 0: no magnitude anywhere.
-    let certificate = certify(&mut scalar(FREE, 0.0, 0.0, 3.0), &[0.0]).unwrap();
+    let certificate = examine(&mut scalar(FREE, 0.0, 0.0, 3.0), &[0.0]).unwrap();
     assert_eq!(certificate.verdict(Some(1e-300), 1e-300), Verdict::Accepted);
     assert_eq!((certificate.natural_residual, certificate.relative_residual), (0.0, 0.0));
     // 3z − 3e-9 at 0: small against the size 1 that stands in for a magnitude.
@@ -75,7 +75,7 @@ fn zero_is_a_solution_like_any_other() {
 #[test]
 fn a_zero_f_needs_no_size() {
     // F = 0 with a derivative of 0 at a bound: 0/0 is no residual.
-    let certificate = certify(&mut scalar(NONNEGATIVE, 0.0, 0.0, 0.0), &[0.0]).unwrap();
+    let certificate = examine(&mut scalar(NONNEGATIVE, 0.0, 0.0, 0.0), &[0.0]).unwrap();
     assert_eq!(certificate.verdict(None, 1e-8), Verdict::Accepted);
     assert_eq!((certificate.relative_residual, certificate.vanishing_row), (0.0, None));
 }
@@ -84,26 +84,26 @@ fn a_zero_f_needs_no_size() {
 fn a_row_that_must_hold_and_has_no_derivatives_is_named() {
     for slope in [0.0, -0.0, 1e-310] {
         let mut problem = line(&[FREE; 2], &[1.0; 2], &[1.0, 0.0], &[-1.0, 0.0, 0.0, slope]);
-        let certificate = certify(&mut problem, &[1.0, 1.0]).unwrap();
+        let certificate = examine(&mut problem, &[1.0, 1.0]).unwrap();
         assert_eq!(certificate.vanishing_row, Some(1), "{slope:e}");
         assert_eq!(certificate.verdict(Some(1e-6), 1e-8), Verdict::Asymptotic, "{slope:e}");
     }
     // Not where the variable is at its bound, and not at the smallest normal derivative.
     assert_eq!(
-        certify(&mut scalar(NONNEGATIVE, 0.0, 1.0, 0.0), &[0.0]).unwrap().vanishing_row,
+        examine(&mut scalar(NONNEGATIVE, 0.0, 1.0, 0.0), &[0.0]).unwrap().vanishing_row,
         None
     );
     let smallest = scalar(FREE, 0.0, 0.0, f64::MIN_POSITIVE);
-    assert_eq!(certify(&mut { smallest }, &[0.0]).unwrap().vanishing_row, None);
+    assert_eq!(examine(&mut { smallest }, &[0.0]).unwrap().vanishing_row, None);
 }
 
 #[test]
 fn a_vanishing_row_or_a_diverging_variable_excuses_no_residual() {
     for tol in [None, Some(1e-6)] {
-        let certificate = certify(&mut scalar(FREE, 0.0, 1.0, 0.0), &[0.0]).unwrap();
+        let certificate = examine(&mut scalar(FREE, 0.0, 1.0, 0.0), &[0.0]).unwrap();
         assert_eq!(certificate.vanishing_row, Some(0));
         assert_eq!(certificate.verdict(tol, 1e-8), Verdict::Refused, "F = 1, {tol:?}");
-        let certificate = certify(&mut scalar(FREE, 0.0, 1e13, 1.0), &[1e13]).unwrap();
+        let certificate = examine(&mut scalar(FREE, 0.0, 1e13, 1.0), &[1e13]).unwrap();
         assert_eq!(certificate.diverging, Some(0));
         assert_eq!(certificate.verdict(tol, 1e-8), Verdict::Refused, "F = 2e13, {tol:?}");
     }
@@ -111,7 +111,7 @@ fn a_vanishing_row_or_a_diverging_variable_excuses_no_residual() {
 
 #[test]
 fn a_variable_diverges_relative_to_its_start() {
-    let at = |start: f64, z: f64| certify(&mut scalar(FREE, start, -z, 1.0), &[z]).unwrap();
+    let at = |start: f64, z: f64| examine(&mut scalar(FREE, start, -z, 1.0), &[z]).unwrap();
     assert_eq!(at(0.0, 1e12).diverging, None);
     assert_eq!(at(0.0, -1.1e12).diverging, Some(0));
     assert_eq!(at(1e3, 1.1e12).diverging, None);
@@ -120,12 +120,12 @@ fn a_variable_diverges_relative_to_its_start() {
 
 #[test]
 fn a_far_solution_is_a_solution_and_a_fading_residual_is_not() {
-    let far = certify(&mut scalar(FREE, 0.0, -2e13, 1.0), &[2e13]).unwrap();
+    let far = examine(&mut scalar(FREE, 0.0, -2e13, 1.0), &[2e13]).unwrap();
     assert_eq!(far.verdict(Some(1e-6), 1e-8), Verdict::Accepted);
     assert_eq!(far.verdict(None, 1e-8), Verdict::Accepted);
     // F = 1e-7 at z = 1.1e12 with slope 1e-17: a small residual that Newton would not call so.
     let c = 1e-7 - 1e-17 * 1.1e12;
-    let fading = certify(&mut scalar(FREE, 0.0, c, 1e-17), &[1.1e12]).unwrap();
+    let fading = examine(&mut scalar(FREE, 0.0, c, 1e-17), &[1.1e12]).unwrap();
     assert_eq!(fading.verdict(Some(1e-6), 1e-8), Verdict::Asymptotic);
     assert_eq!(fading.verdict(None, 1e-8), Verdict::Refused);
 }
@@ -141,7 +141,7 @@ fn scaling_an_equation_changes_no_relative_residual() {
             &[1e-3 - 2.0, t * (1e-5 - 1e-3)],
             &[2.0, t * 1e-3, 1.0, t * 3.0],
         );
-        certify(&mut problem, &[1.0, 0.0]).unwrap().relative_residual
+        examine(&mut problem, &[1.0, 0.0]).unwrap().relative_residual
     };
     for k in [-200, -60, -7, 7, 60, 200] {
         assert_eq!(residual(k).to_bits(), residual(0).to_bits(), "2^{k}");
@@ -152,9 +152,9 @@ fn scaling_an_equation_changes_no_relative_residual() {
 fn an_equation_in_tiny_units_is_not_solved_at_a_zero_start() {
     // F = 1e-18 (z − 1) from 0, alone and beside a solved equation of ordinary size.
     let mut alone = scalar(FREE, 0.0, -1e-18, 1e-18);
-    assert_eq!(certify(&mut alone, &[0.0]).unwrap().verdict(Some(1e-6), 1e-8), Verdict::Refused);
+    assert_eq!(examine(&mut alone, &[0.0]).unwrap().verdict(Some(1e-6), 1e-8), Verdict::Refused);
     let mut beside = line(&[FREE, FREE], &[1.0, 0.0], &[-1.0, -1e-18], &[1.0, 0.0, 0.0, 1e-18]);
-    let certificate = certify(&mut beside, &[1.0, 0.0]).unwrap();
+    let certificate = examine(&mut beside, &[1.0, 0.0]).unwrap();
     assert_eq!(
         (certificate.worst_relative, certificate.verdict(None, 1e-8)),
         (1, Verdict::Refused)
@@ -164,7 +164,7 @@ fn an_equation_in_tiny_units_is_not_solved_at_a_zero_start() {
 #[test]
 fn a_huge_variable_does_not_excuse_an_unconnected_one() {
     let mut apart = line(&[FREE, FREE], &[0.0, 0.0], &[-1e16, -2.0], &[1.0, 0.0, 0.0, 1.0]);
-    let certificate = certify(&mut apart, &[1e16, 2.002]).unwrap();
+    let certificate = examine(&mut apart, &[1e16, 2.002]).unwrap();
     assert_eq!(certificate.worst_relative, 1);
     assert!(certificate.relative_residual > 1e-4);
 }
@@ -173,7 +173,7 @@ fn a_huge_variable_does_not_excuse_an_unconnected_one() {
 fn a_point_of_the_wrong_length_is_an_error() {
     for z in [&[][..], &[1.0, 2.0]] {
         assert!(matches!(
-            certify(&mut scalar(FREE, 0.0, 1.0, 1.0), z),
+            examine(&mut scalar(FREE, 0.0, 1.0, 1.0), z),
             Err(ModelError::Length { expected: 1, .. })
         ));
     }
@@ -184,7 +184,7 @@ fn nan_and_infinity_are_never_hidden() {
     for bad in [f64::NAN, INF, -INF] {
         for bounds in [FREE, NONNEGATIVE, (-INF, 0.0), (0.0, 0.0), (0.0, 1.0)] {
             for (c, slope) in [(bad, 1.0), (0.0, bad)] {
-                let certificate = certify(&mut scalar(bounds, 0.0, c, slope), &[0.0]).unwrap();
+                let certificate = examine(&mut scalar(bounds, 0.0, c, slope), &[0.0]).unwrap();
                 assert!(!certificate.is_finite, "{bounds:?} {c} {slope}");
                 assert!(certificate.relative_residual.is_nan(), "{bounds:?} {c} {slope}");
                 assert_eq!(certificate.natural_residual.is_nan(), c.is_nan(), "{bounds:?} {c}");
@@ -193,7 +193,7 @@ fn nan_and_infinity_are_never_hidden() {
                 }
             }
         }
-        let certificate = certify(&mut scalar(FREE, 0.0, 0.0, 1.0), &[bad]).unwrap();
+        let certificate = examine(&mut scalar(FREE, 0.0, 0.0, 1.0), &[bad]).unwrap();
         assert_eq!(certificate.verdict(Some(INF), INF), Verdict::Refused);
     }
 }
@@ -202,7 +202,7 @@ fn nan_and_infinity_are_never_hidden() {
 fn a_nan_in_a_later_row_stays_the_worst() {
     let jac = [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0];
     let c = [5.0, f64::NAN, 9.0];
-    let certificate = certify(&mut line(&[FREE; 3], &[0.0; 3], &c, &jac), &[0.0; 3]).unwrap();
+    let certificate = examine(&mut line(&[FREE; 3], &[0.0; 3], &c, &jac), &[0.0; 3]).unwrap();
     assert!(certificate.natural_residual.is_nan());
     assert_eq!(certificate.worst, 1);
 }
@@ -210,11 +210,11 @@ fn a_nan_in_a_later_row_stays_the_worst() {
 #[test]
 fn a_point_outside_the_box_is_refused_however_near() {
     let mut problem = scalar((0.0, 1.0), 0.5, 0.0, 1.0);
-    let certificate = certify(&mut problem, &[-1e-300]).unwrap();
+    let certificate = examine(&mut problem, &[-1e-300]).unwrap();
     assert_eq!(certificate.bound_violation, 1e-300);
     assert_eq!(certificate.verdict(Some(1.0), 1.0), Verdict::Refused);
     let above = f64::from_bits(1.0_f64.to_bits() + 1);
-    let certificate = certify(&mut scalar((0.0, 1.0), 0.5, -2.0, 1.0), &[above]).unwrap();
+    let certificate = examine(&mut scalar((0.0, 1.0), 0.5, -2.0, 1.0), &[above]).unwrap();
     assert_eq!(certificate.bound_violation, f64::EPSILON);
     assert_eq!(certificate.verdict(Some(1.0), 1.0), Verdict::Refused);
 }
@@ -224,7 +224,7 @@ fn the_worst_rows_are_named() {
     // Natural residuals 1, 3, 2; relative 1e-6-ish, small, large.
     let jac = [1e6, 0.0, 0.0, 0.0, 1e3, 0.0, 0.0, 0.0, 1.0];
     let mut problem = line(&[FREE; 3], &[1.0; 3], &[1.0 - 1e6, 3.0 - 1e3, 2.0 - 1.0], &jac);
-    let certificate = certify(&mut problem, &[1.0; 3]).unwrap();
+    let certificate = examine(&mut problem, &[1.0; 3]).unwrap();
     assert_eq!((certificate.natural_residual, certificate.worst), (3.0, 1));
     assert_eq!(certificate.worst_relative, 2);
 }
@@ -233,19 +233,19 @@ fn the_worst_rows_are_named() {
 fn the_start_keeps_the_gauge_from_collapsing() {
     // z − 1e-9 at 0: wrong if z is of the size of the start 1e-9, right if it starts at 1.
     let at = |start: f64| {
-        certify(&mut scalar(FREE, start, -1e-9, 1.0), &[0.0]).unwrap().relative_residual
+        examine(&mut scalar(FREE, start, -1e-9, 1.0), &[0.0]).unwrap().relative_residual
     };
     assert!(at(1e-9) > 0.1 && at(1.0) < 1e-8 && at(0.0) < 1e-8, "{} {}", at(1e-9), at(1.0));
     // A solution that is small against its start is judged at 1e-4 of it.
     let near =
-        |z: f64| certify(&mut scalar(FREE, 1.0, -1e-9, 1.0), &[z]).unwrap().relative_residual;
+        |z: f64| examine(&mut scalar(FREE, 1.0, -1e-9, 1.0), &[z]).unwrap().relative_residual;
     assert!((1e-6..1e-4).contains(&near(1e-12)), "{}", near(1e-12));
 }
 
 #[test]
 fn a_size_that_overflows_accepts_nothing() {
     // F = −1e303, but s = 2e308 is infinite.
-    let certificate = certify(&mut scalar(FREE, 1e10, -1.000_01e308, 1e298), &[1e10]).unwrap();
+    let certificate = examine(&mut scalar(FREE, 1e10, -1.000_01e308, 1e298), &[1e10]).unwrap();
     assert!(certificate.relative_residual > 1e-6, "{certificate:?}");
     assert_eq!(certificate.verdict(None, 1e-8), Verdict::Refused);
 }
@@ -298,7 +298,7 @@ fn subnormal_numbers_make_no_nan() {
         &[5e-324, 5e-324],
         &[5e-324, 1.0, f64::MAX, f64::MIN_POSITIVE],
     );
-    let certificate = certify(&mut problem, &[5e-324, 0.0]).unwrap();
+    let certificate = examine(&mut problem, &[5e-324, 0.0]).unwrap();
     assert!(certificate.is_finite);
     assert!(!certificate.natural_residual.is_nan() && !certificate.relative_residual.is_nan());
 }
@@ -310,9 +310,9 @@ proptest! {
         k in -300..300_i32, z in 0.1..10.0_f64, c in -5.0..5.0_f64
     ) {
         let scale = 4_f64.powi(k);
-        let own = certify(&mut scalar(FREE, 1.0, c, 3.0), &[z]).unwrap().relative_residual;
+        let own = examine(&mut scalar(FREE, 1.0, c, 3.0), &[z]).unwrap().relative_residual;
         let other =
-            certify(&mut scalar(FREE, 1.0, c * scale, 3.0 * scale), &[z]).unwrap().relative_residual;
+            examine(&mut scalar(FREE, 1.0, c * scale, 3.0 * scale), &[z]).unwrap().relative_residual;
         prop_assert_eq!(own, other);
     }
 
@@ -322,7 +322,7 @@ proptest! {
         solution in 0.01..100.0_f64, error in 1e-12..1e-3_f64, slope in 1e-9..1e9_f64
     ) {
         let z = solution * (1.0 + error);
-        let e = certify(&mut scalar(FREE, 1.0, -slope * solution, slope), &[z]).unwrap().relative_residual;
+        let e = examine(&mut scalar(FREE, 1.0, -slope * solution, slope), &[z]).unwrap().relative_residual;
         prop_assert!((0.05 * error..2.0 * error).contains(&(e + 1e-14)), "{e} {error}");
     }
 }

@@ -49,7 +49,8 @@ mod stage;
 mod status;
 mod workspace;
 
-pub use certificate::{Certificate, Verdict, certify};
+pub(crate) use certificate::Certifier;
+pub use certificate::{Certificate, Verdict, examine};
 pub use diagnosis::Diagnosis;
 pub use monitor::{Direction, Iteration, Monitor};
 pub use options::{Criterion, Descent, Method, Options, UnknownMethod};

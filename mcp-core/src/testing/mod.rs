@@ -20,6 +20,7 @@
 mod affine;
 mod classic;
 pub mod collection;
+pub mod hock_schittkowski;
 mod judge;
 mod kkt;
 mod zhuravlev_ivanov;

@@ -3,6 +3,7 @@
 mod closed_forms;
 mod corner_rows;
 mod corners;
+mod interval;
 mod num_dual_agreement;
 mod properties;
 mod wide;

@@ -3,6 +3,7 @@
 use super::Instance;
 use crate::error::ModelError;
 use crate::mcp;
+use crate::model::Model;
 
 mcp! {
     /// Markets clear, activities make no profit, incomes are spent.
@@ -76,12 +77,27 @@ const SCARF_OUTPUT: [[f64; 8]; 6] = [
     [-1.0, -6.0, -3.0, -1.0, -8.0, 0.0, -1.0, -8.0],
 ];
 
+fn scarf_economy() -> Result<Economy, ModelError> {
+    let sigma = [1.2, 1.6, 0.8, 0.5, 0.6];
+    economy(SCARF_GOODS, SCARF_ENDOWMENT, SCARF_DEMAND, SCARF_OUTPUT, sigma)
+}
+
+/// Endowments at unit prices.
+fn scarf_incomes() -> [f64; 5] {
+    std::array::from_fn(|h| SCARF_ENDOWMENT.iter().map(|e| e[h]).sum())
+}
+
+/// The model of `scarfmcp`.
+pub(super) fn scarf_with_numeraire() -> Result<impl Model + 'static, ModelError> {
+    let mut model = scarf_economy()?;
+    model.fix("income[1]", scarf_incomes()[0])?;
+    Ok(model)
+}
+
 /// The income of agent 1 is the numeraire, fixed at the value of the endowment at unit prices;
 /// `scarf-ray` has none.
 pub(super) fn scarf() -> Result<Vec<Instance>, ModelError> {
-    let sigma = [1.2, 1.6, 0.8, 0.5, 0.6];
-    let economy = || economy(SCARF_GOODS, SCARF_ENDOWMENT, SCARF_DEMAND, SCARF_OUTPUT, sigma);
-    let value: [f64; 5] = std::array::from_fn(|h| SCARF_ENDOWMENT.iter().map(|e| e[h]).sum());
+    let value = scarf_incomes();
     let start = |price: f64, activity: f64, income: [f64; 5]| {
         [&[price; 6][..], &[activity; 8], &income].concat()
     };
@@ -92,13 +108,11 @@ pub(super) fn scarf() -> Result<Vec<Instance>, ModelError> {
         start(1.0, 0.0, [1.0; 5]),
     ];
     let source = "Scarf (1973), The Computation of Economic Equilibria; MCPLIB";
-    let ray = Instance::new("scarf-ray", source, economy()?).starting_at(starts[0].clone());
+    let ray = Instance::new("scarf-ray", source, scarf_economy()?).starting_at(starts[0].clone());
     for start in &mut starts {
         start[14] = value[0];
     }
-    let mut model = economy()?;
-    model.fix("income[1]", value[0])?;
-    let instances = Instance::new("scarfmcp", source, model).at_starts(&starts);
+    let instances = Instance::new("scarfmcp", source, scarf_with_numeraire()?).at_starts(&starts);
     Ok([instances, vec![ray]].concat())
 }
 

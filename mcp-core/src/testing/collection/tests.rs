@@ -1,7 +1,7 @@
 use super::archive::{Archive, fnv1a};
 use super::*;
 use crate::testing::{enumerate_affine, judge};
-use crate::{Options, Problem, Solver};
+use crate::{Options, Problem, Proof, Solver, certify, solve_from};
 
 const RANDOM_BYTES: &[u8] = include_bytes!("../data/random.bin");
 const VALUES_BYTES: &[u8] = include_bytes!("../data/values.bin");
@@ -33,6 +33,16 @@ fn names_and_their_order_are_those_of_the_study() {
     assert_eq!(names, stored);
     assert_eq!(named("josephy-3").unwrap().unwrap().start, [100.0; 4]);
     assert!(named("josephy").unwrap().is_none());
+}
+
+/// The definitions of the model, the price indices, are read over intervals as well.
+#[test]
+fn scarfs_equilibrium_is_proved() {
+    let model = exchange::scarf_with_numeraire().unwrap();
+    let start = named("scarfmcp-1").unwrap().unwrap().start;
+    let solution = solve_from(&model, &start, &Options::default()).unwrap().solved().unwrap();
+    let accuracy = certify(&model, &solution).unwrap();
+    assert!(matches!(accuracy.proof, Proof::Proved { radius } if radius < 1e-6), "{accuracy}");
 }
 
 /// The same bits, or the last digits of a product of sines raised to a power.
