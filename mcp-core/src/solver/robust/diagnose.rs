@@ -2,6 +2,7 @@
 
 use super::Search;
 use super::map::Map;
+use crate::solver::certificate::Verdict;
 use crate::solver::diagnosis::{Diagnosis, largest_entries};
 use crate::solver::stage::StageEnd;
 use crate::solver::status::Status;
@@ -50,8 +51,15 @@ impl Search<'_, '_> {
         }
         if memory.best_residual < f64::INFINITY {
             run.work.current.z.copy_from_slice(&memory.best);
-            run.certificate = None;
+            memory.model_z.copy_from_slice(&memory.best);
+            let (o, certificate) = (run.options, run.certify());
+            if certificate.verdict(o.tol, o.tol_relative) == Verdict::Accepted
+                && self.is_far_from_solved()
+            {
+                return Status::SolvedAsymptotically;
+            }
         }
+        let memory = &self.memory;
         if memory.asymptotic && status == Status::IterationLimit {
             return Status::SolvedAsymptotically;
         }

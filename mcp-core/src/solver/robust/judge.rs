@@ -21,6 +21,8 @@ const SHARP: f64 = 1e-13;
 const GROWN: [f64; 2] = [10.0, 100.0];
 /// Growth beyond which a small residual with a singular matrix is one at infinity.
 const FAR: f64 = 1e4;
+/// Growth up to which terms are counted where a variable has grown beyond [`FAR`].
+const NEAR: f64 = 100.0;
 /// Relative Newton step of a point that still moves.
 const MOVING: f64 = 0.1;
 /// Growth beyond which a stage is left.
@@ -147,6 +149,9 @@ impl Search<'_, '_> {
         let bounds = run.problem.shape().bounds();
         memory.view.unscale(&memory.here.z, bounds, &mut memory.model_z);
         let growth = (0..memory.unit.len()).fold(0.0, |most: f64, j| most.max(memory.growth(j)));
+        if self.is_far_from_solved() {
+            return true;
+        }
         if !(growth > limit) || !self.jacobian() {
             return false;
         }
@@ -159,6 +164,42 @@ impl Search<'_, '_> {
         let memory = &*self.memory;
         (0..memory.unit.len()).any(|j| {
             memory.growth(j) > limit && memory.direction[j].abs() > MOVING * memory.here.z[j].abs()
+        })
+    }
+}
+
+impl Search<'_, '_> {
+    /// Whether the point last judged, `model_z`, is far away, and small residuals are due to that.
+    pub(super) fn is_far_from_solved(&mut self) -> bool {
+        let memory = &*self.memory;
+        (0..memory.unit.len()).any(|j| memory.growth(j) > FAR)
+            && self.near_residual() > self.run.options.tol_relative
+    }
+
+    /// The relative residual at the point last judged, with terms no larger than where variables
+    /// have grown by [`NEAR`]. Along a null vector of `J` terms grow and `F` stays what it was: small
+    /// relative to its terms, and no smaller than at the start.
+    fn near_residual(&mut self) -> f64 {
+        let Search { run, memory } = self;
+        let (z, f, jac) = (&memory.model_z, run.work.certifier.f(), run.work.certifier.jac());
+        let own = |j: usize| match memory.start[j].abs() {
+            0.0 => memory.unit[j],
+            start => start,
+        };
+        for j in 0..z.len() {
+            memory.weight[j] = z[j].abs().min(NEAR * own(j)) + own(j);
+        }
+        let pattern = run.problem.pattern();
+        memory.size.fill(0.0);
+        for (k, i, j) in pattern.entries() {
+            memory.size[i] += jac[k].abs() * memory.weight[j];
+        }
+        let bounds = run.problem.shape().bounds();
+        (0..z.len()).fold(0.0, |worst: f64, i| {
+            let w = memory.weight[i];
+            let (above, below) = ((z[i] - bounds.lower()[i]) / w, (z[i] - bounds.upper()[i]) / w);
+            let ratio = if f[i] == 0.0 { 0.0 } else { f[i] / memory.size[i].min(f64::MAX) };
+            worst.max(above.min(below.max(ratio)).abs())
         })
     }
 }
