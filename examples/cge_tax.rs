@@ -20,7 +20,7 @@ use mcp_core::language::Table;
 use mcp_core::study::{compare, sweep_with};
 use mcp_core::{AdProblem, Model, Options, Report, check_point, mcp, solve};
 use std::error::Error;
-use std::fs::File;
+use std::fs::{self, File};
 use std::path::Path;
 
 mcp! {
@@ -161,6 +161,7 @@ pub fn main() -> Result<(), Box<dyn Error>> {
     println!("{}", lines.next().unwrap_or_default());
     lines.step_by(5).for_each(|line| println!("{line}"));
     let target = Path::new(env!("CARGO_MANIFEST_DIR")).join("target");
+    fs::create_dir_all(&target)?;
     table.write_csv(File::create(target.join("cge_tax.csv"))?)?;
     let relative = sweep.of(&["p", "pf[capital]", "welfare"])?.in_percent();
     relative.write_svg(target.join("cge_tax.svg"))?;

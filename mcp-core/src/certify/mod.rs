@@ -1,7 +1,7 @@
 //! Certificate of accuracy: a proof, by interval arithmetic, that exactly one solution is near.
 //!
 //! A residual says how well equations hold, not how far a solution is. [`certify`] evaluates the model
-//! over boxes around the point, with every rounding outwards ([`Interval`](crate::Interval) states
+//! over boxes around the point, with every rounding outwards ([`Interval`] states
 //! the assumption), and either proves that a box holds exactly one solution or says why it cannot.
 //!
 //! # The proof
@@ -11,7 +11,7 @@
 //! `|x_j − z_j| <= ρ w_j`, where `w_j = |z_j| + τ_j` are the weights of the
 //! [`Certificate`](crate::Certificate). With `c` the point `z`, moved to the bounds in `A`, any matrix
 //! `Y` (near the inverse of the midpoints of `G`) and an interval matrix `G` that contains `F_I'(x)` by `x_I` for all `x` in
-//! `X`, the operator of Krawczyk ([Kra69], [Neu90](crate#references) section 5.1) is
+//! `X`, the operator of Krawczyk ([Kra69](crate#references), [Neu90](crate#references) section 5.1) is
 //!
 //! ```text
 //! K(X) = c_I − Y F_I(c) + (1 − Y G)(X_I − c_I).

@@ -13,7 +13,7 @@ use std::fmt;
 /// Rows of a table before the rest is only counted.
 const ROWS: usize = 50;
 
-/// Smaller relative changes are those of two solves of the same problem.
+/// Changes below this part of the largest number of a family are those of two solves of one problem.
 const UNCHANGED: f64 = 1e-9;
 
 /// An answer whose numbers have names: a [`Solution`] has those of its variables, a [`Report`] and a
@@ -62,6 +62,8 @@ pub struct Change {
     pub after: f64,
     /// Unit of measure, possibly empty.
     pub unit: String,
+    /// The largest absolute value of its family in either answer.
+    pub size: f64,
 }
 
 impl Change {
@@ -69,14 +71,15 @@ impl Change {
     pub fn absolute(&self) -> f64 {
         self.after - self.before
     }
-    /// `100 (after − before) / |before|`; 0 where nothing changes, `±inf` for a change from 0.
+    /// `100 (after − before) / |before|`; 0 for what is [no change](Self::is_change), `±inf` for a
+    /// change from 0.
     pub fn percent(&self) -> f64 {
-        if self.after == self.before { 0.0 } else { 100.0 * self.absolute() / self.before.abs() }
+        if self.is_change() { 100.0 * self.absolute() / self.before.abs() } else { 0.0 }
     }
-    /// Whether the two differ by more than `1e-9` of the larger, which two solves of one problem do
-    /// not.
+    /// Whether the two differ by more than `1e-9` of the largest number of their family: less is the
+    /// rounding of a solve.
     pub fn is_change(&self) -> bool {
-        let slack = UNCHANGED * self.before.abs().max(self.after.abs());
+        let slack = UNCHANGED * self.size;
         let is_near = slack.is_finite() && self.absolute().abs() <= slack;
         self.after != self.before && !is_near
     }
@@ -132,12 +135,17 @@ pub fn compare(before: &impl Outcome, after: &impl Outcome) -> Changes {
     let (first, second) = (counted(first), counted(second));
     let levels: HashMap<&str, f64> =
         second.iter().map(|number| (number.name.as_str(), number.value)).collect();
+    let mut sizes: HashMap<&str, f64> = HashMap::new();
+    for Number { family, value, .. } in first.iter().chain(&second) {
+        let size = sizes.entry(family).or_default();
+        *size = size.max(value.abs());
+    }
     let (mut rows, mut only_before) = (Vec::new(), Vec::new());
-    for Number { name, value: before, unit, .. } in &first {
+    for Number { name, family, value: before, unit, .. } in &first {
         match levels.get(name.as_str()) {
             Some(&after) => {
-                let (name, unit) = (name.clone(), unit.clone());
-                rows.push(Change { name, before: *before, after, unit });
+                let (name, unit, size) = (name.clone(), unit.clone(), sizes[family.as_str()]);
+                rows.push(Change { name, before: *before, after, unit, size });
             }
             None => only_before.push(name.clone()),
         }
@@ -152,6 +160,7 @@ pub fn compare(before: &impl Outcome, after: &impl Outcome) -> Changes {
 
 struct Number {
     name: String,
+    family: String,
     value: f64,
     unit: String,
     is_variable: bool,
@@ -165,6 +174,7 @@ fn numbers(outcome: &dyn Outcome) -> Vec<Number> {
     let number = |quantity: Quantity| {
         quantity.value(z, derived).map(|value| Number {
             name: quantity.name(shape),
+            family: quantity.family(shape).0.name().to_owned(),
             value: value + 0.0,
             unit: quantity.family(shape).0.unit().to_owned(),
             is_variable: matches!(quantity, Quantity::Variable(_)),

@@ -60,7 +60,8 @@ fn what_does_not_change_is_counted_and_zero_has_no_percentage() {
     let changes = compare(&report(&levels(["a", "b"], 0.0)), &report(&levels(["a", "b"], 1.0)));
     assert_eq!(changes.rows[0].name, "x[a]");
     assert!(changes.to_string().contains("new"), "{changes}");
-    let fall = Change { name: "y".into(), before: -2.0, after: -3.0, unit: String::new() };
+    let fall =
+        Change { name: "y".into(), before: -2.0, after: -3.0, unit: String::new(), size: 3.0 };
     assert_eq!(fall.percent(), -50.0);
     let change = |before, after| Change { before, after, ..fall.clone() };
     let inf = f64::INFINITY;

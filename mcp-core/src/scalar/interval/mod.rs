@@ -6,7 +6,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// A closed interval of real numbers; an infinite end stands for numbers without limit.
 ///
-/// Every operation contains the exact results for all numbers of its arguments ([Moo66] and
+/// Every operation contains the exact results for all numbers of its arguments ([Moo66](crate#references) and
 /// [Neu90](crate#references)). **Assumption:** `+ − × ÷ √` of `f64` are correctly rounded (IEEE 754),
 /// so that one unit in the last place outwards is enough; the other functions of `f64` err by at
 /// most 4 units and are widened by 4. Integer powers are products.
