@@ -107,8 +107,8 @@ fn accuracy_at(problem: &mut dyn OverBoxes, z: &[f64], external: Option<String>)
     let shape = problem.shape().clone();
     if !found.is_finite {
         let is_infinite = |i: &usize| !certifier.f()[*i].is_finite();
-        let by_slope = || problem.pattern().entries().find(|e| !certifier.jac()[e.2].is_finite());
-        let i = (0..z.len()).find(is_infinite).or_else(|| by_slope().map(|(i, _, _)| i));
+        let by_slope = || Some(problem.pattern().first_not_finite(certifier.jac())?.1);
+        let i = (0..z.len()).find(is_infinite).or_else(by_slope);
         let equation = shape.equation_name(i.unwrap_or(found.worst));
         return Accuracy::unknown(Refusal::NotFinite { equation });
     }

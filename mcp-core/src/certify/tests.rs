@@ -318,3 +318,18 @@ fn logsumexp_is_enclosed() {
     assert!(radius(&accuracy) < 1e-14, "{accuracy}");
     assert!(accuracy.enclosure[0].contains(x));
 }
+
+/// `F` is finite at the origin, the slope of its second equation is not.
+#[mcp_fn(lower = 0.0)]
+fn root<D: Scalar>([x, y]: [Real<D>; 2]) -> [Real<D>; 2] {
+    [1 + x, y.sqrt() + x]
+}
+
+#[test]
+fn an_equation_without_finite_derivative_is_named() {
+    let accuracy = certify_at(&Root::new().unwrap(), &[0.0, 0.0]);
+    let Proof::Refused(Refusal::NotFinite { equation }) = &accuracy.proof else {
+        panic!("{accuracy}");
+    };
+    assert_eq!(equation, "f[y]");
+}

@@ -85,6 +85,13 @@ impl Pattern {
         (0..self.n()).flat_map(move |j| self.column(j).map(move |k| (k, self.rows[k], j)))
     }
 
+    /// Position, row and column of the first of these values that is not finite.
+    pub(crate) fn first_not_finite(&self, values: &[f64]) -> Option<(usize, usize, usize)> {
+        let k = values.iter().position(|value| !value.is_finite())?;
+        let column = self.column_starts.partition_point(|&start| start <= k) - 1;
+        Some((k, self.rows[k], column))
+    }
+
     /// Whether every entry is structurally nonzero.
     pub fn is_dense(&self) -> bool {
         self.nnz() == self.n() * self.n()

@@ -195,8 +195,7 @@ impl PointCheck {
         let mut order: Vec<(usize, f64)> = (0..expected).map(|i| (i, residual(i))).collect();
         let is_finite = |i: usize| z[i].is_finite() && f[i].is_finite();
         order.sort_by(|a, b| worst_first((is_finite(a.0), a.1), (is_finite(b.0), b.1)));
-        let mut entries = problem.pattern().entries();
-        let singular = entries.find(|(k, ..)| !certifier.jac()[*k].is_finite());
+        let singular = problem.pattern().first_not_finite(certifier.jac());
         let singular = singular.map(|(_, i, j)| (i, j));
         Ok(PointCheck { shape, z: z.to_vec(), f, order, certificate, singular })
     }

@@ -8,7 +8,7 @@ use super::stage::Stage;
 use super::status::Status;
 use super::workspace::Workspace;
 use crate::globalise::StallWatch;
-use crate::problem::Problem;
+use crate::problem::{Pattern, Problem};
 use std::ops::ControlFlow::{self, Break, Continue};
 use std::time::Instant;
 
@@ -35,6 +35,23 @@ pub(super) struct Fault {
     pub(super) equation: usize,
     pub(super) variable: Option<usize>,
     pub(super) value: f64,
+}
+
+impl Fault {
+    /// Of the first entry of `J` that is not finite.
+    pub(super) fn of_jacobian(pattern: &Pattern, jac: &[f64]) -> Option<Self> {
+        let (k, equation, column) = pattern.first_not_finite(jac)?;
+        Some(Fault { equation, variable: Some(column), value: jac[k] })
+    }
+
+    /// Of the first `F_i` that is not finite. With a finite `F` it is the merit that overflows: the
+    /// largest `Φ_i` is to blame.
+    pub(super) fn of_residual(f: &[f64], phi: &[f64]) -> Option<Self> {
+        let largest =
+            || (0..phi.len()).max_by(|&i, &j| f64::total_cmp(&phi[i].abs(), &phi[j].abs()));
+        let equation = f.iter().position(|f| !f.is_finite()).or_else(largest)?;
+        Some(Fault { equation, variable: None, value: f[equation] })
+    }
 }
 
 /// A solve in progress.
@@ -375,16 +392,13 @@ impl<'a> Run<'a> {
         self.stats.jacobian_evaluations += 1;
         let work = &mut *self.work;
         self.problem.evaluate(&work.current.z, None, Some(&mut work.jac_trial));
-        let Some(k) = work.jac_trial.iter().position(|v| !v.is_finite()) else {
-            std::mem::swap(&mut work.jac, &mut work.jac_trial);
-            return true;
-        };
-        let pattern = self.problem.pattern();
-        let column = pattern.column_starts().partition_point(|&start| start <= k) - 1;
-        let (equation, value) = (pattern.rows()[k], work.jac_trial[k]);
-        self.fault = Some(Fault { equation, variable: Some(column), value });
-        work.fault_point.copy_from_slice(&work.current.z);
-        false
+        if let Some(fault) = Fault::of_jacobian(self.problem.pattern(), &work.jac_trial) {
+            self.fault = Some(fault);
+            work.fault_point.copy_from_slice(&work.current.z);
+            return false;
+        }
+        std::mem::swap(&mut work.jac, &mut work.jac_trial);
+        true
     }
 
     /// Notes the first non-finite `F` of a candidate, or of the iterate.
@@ -395,13 +409,8 @@ impl<'a> Run<'a> {
             Some(Candidate::Full) => &work.full,
             Some(Candidate::Trial) => &work.trial,
         };
-        // With a finite F it is the merit that overflows: the largest Φ is to blame.
-        let largest = || {
-            (0..point.phi.len())
-                .max_by(|&i, &j| f64::total_cmp(&point.phi[i].abs(), &point.phi[j].abs()))
-        };
-        if let Some(equation) = point.f.iter().position(|f| !f.is_finite()).or_else(largest) {
-            self.fault = Some(Fault { equation, variable: None, value: point.f[equation] });
+        if let Some(fault) = Fault::of_residual(&point.f, &point.phi) {
+            self.fault = Some(fault);
             work.fault_point.copy_from_slice(&point.z);
         }
     }

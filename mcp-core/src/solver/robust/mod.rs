@@ -281,16 +281,13 @@ impl Search<'_, '_> {
         let Search { run, memory } = self;
         run.stats.jacobian_evaluations += 1;
         memory.view.jacobian(run.problem, &memory.here.z, &mut memory.jac_trial);
-        let Some(k) = memory.jac_trial.iter().position(|v| !v.is_finite()) else {
-            std::mem::swap(&mut memory.jac, &mut memory.jac_trial);
-            return true;
-        };
-        let pattern = run.problem.pattern();
-        let column = pattern.column_starts().partition_point(|&start| start <= k) - 1;
-        let (equation, value) = (pattern.rows()[k], memory.jac_trial[k]);
-        run.fault = Some(Fault { equation, variable: Some(column), value });
-        run.work.fault_point.copy_from_slice(memory.view.argument());
-        false
+        if let Some(fault) = Fault::of_jacobian(run.problem.pattern(), &memory.jac_trial) {
+            run.fault = Some(fault);
+            run.work.fault_point.copy_from_slice(memory.view.argument());
+            return false;
+        }
+        std::mem::swap(&mut memory.jac, &mut memory.jac_trial);
+        true
     }
 
     /// Makes the trial point the iterate; ends the solve if it is a solution. False, with the old
@@ -352,9 +349,8 @@ impl Search<'_, '_> {
 
 /// Notes what is not finite at a point: `F`, or else the largest `Φ`, whose square overflows.
 fn note_fault(run: &mut Run<'_>, f: &[f64], phi: &[f64], z: &[f64]) {
-    let largest = || (0..phi.len()).max_by(|&i, &j| f64::total_cmp(&phi[i].abs(), &phi[j].abs()));
-    if let Some(equation) = f.iter().position(|f| !f.is_finite()).or_else(largest) {
-        run.fault = Some(Fault { equation, variable: None, value: f[equation] });
+    if let Some(fault) = Fault::of_residual(f, phi) {
+        run.fault = Some(fault);
         run.work.fault_point.copy_from_slice(z);
     }
 }
