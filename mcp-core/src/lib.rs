@@ -126,6 +126,8 @@ pub use solver::{
     StageRecord, Stats, Status, UnknownMethod, Verdict, Violation, WrongPoint, check_point,
     examine, solve, solve_from,
 };
+#[cfg(feature = "rayon")]
+pub use solver::{batch, solve_batch};
 
 #[cfg(doctest)]
 #[doc = include_str!("../../README.md")]

@@ -98,17 +98,7 @@ impl fmt::Debug for NoWalras {
 /// [`ModelError::Length`] for a solution with another number of variables, [`ModelError::OtherModel`]
 /// for one of a model with other variables or parameters.
 pub fn check_walras<M: Model>(model: &M, solution: &Solution) -> Result<WalrasCheck, ModelError> {
-    let mut problem = AdProblem::new(model)?;
-    let (expected, found) = (problem.shape().n(), solution.z.len());
-    if expected != found {
-        return Err(ModelError::Length { what: "solution".to_owned(), expected, found });
-    }
-    problem.shape().check_families_of(&solution.shape)?;
-    for family in solution.shape.parameters() {
-        let values = &solution.shape.parameter_values()[family.offset()..][..family.len()];
-        problem.set_parameter(family.name(), values)?;
-    }
-    Ok(dropped(&mut problem, solution))
+    Ok(dropped(&mut AdProblem::of_solution(model, solution)?, solution))
 }
 
 fn dropped(problem: &mut dyn Problem, solution: &Solution) -> WalrasCheck {

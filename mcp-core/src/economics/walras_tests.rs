@@ -113,5 +113,5 @@ fn a_solution_of_another_model_is_refused() {
     let mut other = solve(&exchange(0.0), &Options::default()).unwrap();
     other.z.pop();
     let told = check_walras(&exchange(0.0), &other).unwrap_err().to_string();
-    assert_eq!(told, "the length of `solution` is 1, expected 2");
+    assert_eq!(told, "the length of `levels of the solution` is 1, expected 2");
 }

@@ -185,15 +185,8 @@ fn all_numbers(
     solution: &Solution,
     tables: &[ViewedTable<'_>],
 ) -> Result<Vec<Arc<Numbers>>, ModelError> {
-    let shape = model.plain_shape();
-    for (what, numbers) in [("solution", &solution.z), ("marginals", &solution.f)] {
-        let (expected, found) = (shape.n(), numbers.len());
-        if expected != found {
-            return Err(ModelError::Length { what: what.to_owned(), expected, found });
-        }
-    }
+    model.plain_shape().check_solution(solution)?;
     let solved = &solution.shape;
-    shape.check_families_of(solved)?;
     let parameters = solved.parameter_values();
     let derived = Derived::at(model, &solution.z, parameters);
     let mut all = Vec::new();

@@ -140,7 +140,7 @@ fn a_solution_of_another_model_is_refused_even_if_it_has_as_many_variables() {
     assert_eq!(told(&market("y", &["a", "b", "c"], &[0, 1], "level"), &[1.0, 2.0]), x);
     let level = "the solution is of another model: `level` has other elements there";
     assert_eq!(told(&market("x", &["a", "b", "c"], &[0, 1], "tax"), &[1.0, 2.0]), level);
-    let length = "the length of `solution` is 1, expected 2";
+    let length = "the length of `levels of the solution` is 1, expected 2";
     assert_eq!(told(&market("x", &["a", "b", "c"], &[0], "level"), &[1.0]), length);
 }
 
@@ -149,7 +149,7 @@ fn a_solution_without_marginals_is_refused() {
     let model = market("x", &["a"], &[0], "level");
     let solution = Solution { f: vec![], ..solution(&model, &[1.0]) };
     let error = viewed::<2>(&model, &solution, &[]).unwrap_err().to_string();
-    assert_eq!(error, "the length of `marginals` is 0, expected 1");
+    assert_eq!(error, "the length of `values of F of the solution` is 0, expected 1");
 }
 
 #[cfg(feature = "macros")]

@@ -273,8 +273,8 @@ pub(super) fn check_parameters(families: &[Family], values: &[f64]) -> Result<()
 
 /// Name of element `k` among all elements of the families.
 pub(super) fn name_among(families: &[Family], k: usize) -> String {
-    let family = families.partition_point(|family| family.offset + family.len <= k);
-    families[family].element_name(k - families[family].offset)
+    let (family, index) = Family::of_element(families, k);
+    family.element_name(index)
 }
 
 /// Gives every family its offset.

@@ -68,6 +68,12 @@ impl Family {
         Family { name, sets, offset: 0, len: 1, combinations: 1, elements, about, unit }
     }
 
+    /// The family of element `k` of all elements of the families, and its index there.
+    pub(crate) fn of_element(families: &[Family], k: usize) -> (&Family, usize) {
+        let family = &families[families.partition_point(|f| f.offset + f.len <= k)];
+        (family, k - family.offset)
+    }
+
     /// The elements of a table.
     pub(crate) fn of_table(name: &str, sets: &[&Set]) -> Self {
         let mut family = Family::new(name.to_owned());

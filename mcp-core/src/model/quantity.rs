@@ -30,8 +30,7 @@ impl Quantity {
             Quantity::Definition(k) => (shape.definitions(), k),
             Quantity::Report(k) => (shape.reports(), k),
         };
-        let family = &families[families.partition_point(|f| f.offset() + f.len() <= k)];
-        (family, k - family.offset())
+        Family::of_element(families, k)
     }
 
     /// Its name, such as `p[iron]`.

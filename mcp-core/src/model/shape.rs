@@ -259,8 +259,7 @@ impl Shape {
     }
     /// The variable family that variable `j` belongs to.
     pub fn variable_family(&self, j: usize) -> &Family {
-        let family = self.structure.variables.partition_point(|f| f.offset + f.len <= j);
-        &self.structure.variables[family]
+        Family::of_element(&self.structure.variables, j).0
     }
 }
 

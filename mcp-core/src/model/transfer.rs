@@ -43,10 +43,7 @@ impl Shape {
     /// unchanged then.
     pub fn start_from(&mut self, other: &Solution) -> Result<usize, ModelError> {
         let (theirs, z) = (&*other.shape, &other.z);
-        if z.len() != theirs.n() {
-            let (what, expected) = ("levels of the solution".to_owned(), theirs.n());
-            return Err(ModelError::Length { what, expected, found: z.len() });
-        }
+        theirs.check_length("levels", z)?;
         let families: HashMap<&str, &Family> =
             theirs.variables().iter().map(|family| (family.name(), family)).collect();
         let mut start = self.start().to_vec();
@@ -124,10 +121,26 @@ fn for_each_named(
 }
 
 impl Shape {
-    /// Whether variables and parameters are those of another shape: same names, same sets.
-    pub(crate) fn check_families_of(&self, other: &Shape) -> Result<(), ModelError> {
-        same_families(self.variables(), other.variables())?;
-        same_families(self.parameters(), other.parameters())
+    /// Whether a solution's levels are those of a model with the same variables and parameters:
+    /// same names, same sets.
+    pub(crate) fn check_levels_of(&self, solution: &Solution) -> Result<(), ModelError> {
+        self.check_length("levels", &solution.z)?;
+        same_families(self.variables(), solution.shape.variables())?;
+        same_families(self.parameters(), solution.shape.parameters())
+    }
+
+    /// The same, and whether there is a value of `F` for each.
+    pub(crate) fn check_solution(&self, solution: &Solution) -> Result<(), ModelError> {
+        self.check_levels_of(solution)?;
+        self.check_length("values of F", &solution.f)
+    }
+
+    fn check_length(&self, what: &str, list: &[f64]) -> Result<(), ModelError> {
+        let (expected, found) = (self.n(), list.len());
+        if expected == found {
+            return Ok(());
+        }
+        Err(ModelError::Length { what: format!("{what} of the solution"), expected, found })
     }
 }
 

@@ -80,21 +80,13 @@ impl<M: Model> AdProblem<M> {
     /// The problem that a solution belongs to: with its bounds and parameters.
     pub(crate) fn of_solution(model: M, solution: &Solution) -> Result<Self, ModelError> {
         let mut problem = Self::new(model)?;
-        let (own, shape) = (&problem.shape, &solution.shape);
-        let sizes = [
-            ("variables of the solution", own.n(), shape.n()),
-            ("numbers of the solution", own.n(), solution.z.len()),
-            ("equations of the solution", own.row_count(), shape.row_count()),
-            (
-                "parameters of the solution",
-                own.parameter_values().len(),
-                shape.parameter_values().len(),
-            ),
-        ];
-        if let Some((what, expected, found)) = sizes.into_iter().find(|(_, a, b)| a != b) {
-            return Err(ModelError::Length { what: what.to_owned(), expected, found });
+        problem.shape.check_levels_of(solution)?;
+        let (expected, found) = (problem.shape.row_count(), solution.shape.row_count());
+        if expected != found {
+            let what = "equations of the solution".to_owned();
+            return Err(ModelError::Length { what, expected, found });
         }
-        problem.shape = Arc::clone(shape);
+        problem.shape = Arc::clone(&solution.shape);
         Ok(problem)
     }
 

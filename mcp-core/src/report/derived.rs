@@ -3,7 +3,7 @@
 use super::Report;
 use super::format::{Align, Grid, clean, number};
 use super::text::ROWS_OF_A_FAMILY;
-use crate::model::Family;
+use crate::model::{Family, Quantity};
 use std::fmt;
 use std::io::{self, Write};
 
@@ -49,23 +49,17 @@ pub struct DerivedRow {
 impl Report {
     /// Reports and then definitions of the model at the solution, in the order of declaration.
     pub fn derived(&self) -> impl Iterator<Item = DerivedRow> + '_ {
-        let rows = |kind, families: &'_ [Family], values: &'_ [f64]| -> Vec<DerivedRow> {
-            families
-                .iter()
-                .flat_map(|family| (0..family.len()).map(move |index| (family, index)))
-                .zip(values)
-                .map(|((family, index), &value)| DerivedRow {
-                    kind,
-                    name: family.element_name(index),
-                    value: value + 0.0,
-                    unit: family.unit().to_owned(),
-                })
-                .collect()
-        };
-        let (shape, derived) = (&self.shape, &self.derived);
-        let reports = rows(DerivedKind::Report, shape.reports(), &derived.reports);
-        let definitions = rows(DerivedKind::Definition, shape.definitions(), &derived.definitions);
-        reports.into_iter().chain(definitions)
+        self.shape.all_quantities().filter_map(|quantity| {
+            let kind = match quantity {
+                Quantity::Variable(_) => return None,
+                Quantity::Report(_) => DerivedKind::Report,
+                Quantity::Definition(_) => DerivedKind::Definition,
+            };
+            let (family, index) = quantity.family(&self.shape);
+            let value = quantity.value(&self.solution.z, &self.derived)? + 0.0;
+            let (name, unit) = (family.element_name(index), family.unit().to_owned());
+            Some(DerivedRow { kind, name, value, unit })
+        })
     }
 
     /// Reports and definitions as text, each in a table of its own; at most 50 of a family.

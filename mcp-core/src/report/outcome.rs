@@ -71,14 +71,7 @@ impl Report {
     /// # Errors
     /// [`ModelError::Length`], [`ModelError::OtherModel`] if the solution is one of another problem.
     pub fn new(problem: &mut dyn Problem, solution: &Solution) -> Result<Self, ModelError> {
-        let expected = problem.shape().n();
-        for (what, list) in [("levels", &solution.z), ("values of F", &solution.f)] {
-            if list.len() != expected {
-                let (what, found) = (format!("{what} of the solution"), list.len());
-                return Err(ModelError::Length { what, expected, found });
-            }
-        }
-        problem.shape().check_families_of(&solution.shape)?;
+        problem.shape().check_solution(solution)?;
         let statistics = Statistics::at(problem, &solution.z);
         Ok(Report {
             name: String::new(),

@@ -33,6 +33,8 @@
 //! - Non-monotone reference values are fed by every accepted step, never below the current merit.
 //! - The returned point lies inside the bounds, exactly.
 
+#[cfg(feature = "rayon")]
+mod batch;
 mod certificate;
 mod diagnosis;
 mod monitor;
@@ -49,6 +51,8 @@ mod stage;
 mod status;
 mod workspace;
 
+#[cfg(feature = "rayon")]
+pub use batch::{batch, solve_batch};
 pub(crate) use certificate::Certifier;
 pub use certificate::{Certificate, Verdict, examine};
 pub use diagnosis::Diagnosis;
