@@ -10,7 +10,7 @@ use common::{FREE, NONNEGATIVE, dense, scalar, siconos};
 use mcp_core::testing::{self, Known};
 use mcp_core::{
     AdProblem, Definition, Equation, Iteration, Linear, Method, Model, ModelError, Problem, Reader,
-    Real, Scalar, Set, Shape, Solver, Status, Variable, mcp_fn,
+    Real, Scalar, Set, Shape, Solver, Status, Variable, mcp, mcp_fn,
 };
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
@@ -104,6 +104,31 @@ impl Model for Ring {
     }
 }
 
+mcp! {
+    /// Shipments of one good between towns, with prices.
+    model Trade {
+        data { towns: usize, cost[towns, towns]: f64, supply[towns]: f64, scale[towns]: f64 }
+        var x[i in towns, j in towns] >= 0.0;
+        var p[i in towns] >= 0.0 start 1.0;
+        def received[j in towns]: sum(towns, |i| x[i, j]);
+        eq arbitrage[i in towns, j in towns]: p[i] + cost[i, j] >= p[j]      complements x[i, j];
+        eq market[j in towns]: supply[j] + received[j] - sum(towns, |k| x[j, k]) >= scale[j] / (1.0 + p[j])
+            complements p[j];
+    }
+}
+
+fn trade(n: usize) -> Box<dyn Problem> {
+    let cost = (0..n * n).map(|k| if k % (n + 1) == 0 { 1.0 } else { 0.1 + 0.01 * k as f64 });
+    let towns = |f: fn(f64) -> f64| (0..n).map(|k| f(k as f64)).collect::<Vec<f64>>();
+    let model = Trade::builder()
+        .towns(n)
+        .cost(cost.collect::<Vec<f64>>())
+        .supply(towns(|k| 1.0 + k))
+        .scale(towns(|k| 9.0 - k))
+        .build();
+    Box::new(AdProblem::new(model.expect("well formed")).expect("well formed"))
+}
+
 /// Lemke's method solves affine problems only.
 const METHODS: [Method; 4] = [Method::Robust, Method::NewtonFb, Method::NewtonMinFb, Method::OldFb];
 
@@ -122,6 +147,8 @@ fn problems() -> Vec<(Box<dyn Problem>, Linear)> {
         (Box::new(AdProblem::new(quadratic).expect("well formed")), Linear::Stack),
         (from_start(testing::rosen_suzuki()), Linear::Stack),
         (ring(10), Linear::Stack),
+        (trade(3), Linear::Stack),
+        (trade(6), Linear::Nalgebra),
         (ring(40), Linear::Nalgebra),
         (from_start(testing::fathi(40)), Linear::Nalgebra),
         (ring(120), Linear::FaerDense),
@@ -149,6 +176,19 @@ fn nothing_is_allocated_from_the_second_solve_on() {
             });
             assert_eq!(again, 0, "{case}");
         }
+    }
+}
+
+#[test]
+fn pivoting_allocates_nothing_from_the_second_solve_on() {
+    for n in [8, 40, 120] {
+        let mut problem = from_start(testing::murty(n));
+        let mut solver = Solver::new(siconos(Method::Lemke)).unwrap();
+        assert!(solver.solve(&mut problem).unwrap().is_solved());
+        let again = allocations(|| {
+            solver.solve(&mut problem).unwrap();
+        });
+        assert_eq!(again, 0, "n = {n}");
     }
 }
 
