@@ -1,11 +1,14 @@
 //! Whole solves of small problems, workspace reused: `cargo bench --bench small`.
 //!
 //! Ids are `problem/method`; each solve starts from the problem's first published start unless said
-//! otherwise and must end with an accepted certificate.
+//! otherwise and must end with an accepted certificate. `many_10000` is 10 000 problems of four firms
+//! with other costs each: one after another, and as a batch over all threads.
 
-use criterion::{Criterion, criterion_group, criterion_main};
-use mcp_core::sum;
-use mcp_core::{AdProblem, Method, ModelError, Options, Problem, Real, Scalar, Solver, mcp_fn};
+use criterion::{Criterion, Throughput, criterion_group, criterion_main};
+use mcp_core::{
+    AdProblem, Method, ModelError, Options, Problem, Real, Scalar, Solver, mcp, mcp_fn, solve,
+    solve_batch, sum,
+};
 use std::hint::black_box;
 
 /// Kojima & Shindo (1986).
@@ -54,6 +57,34 @@ fn bench(
     Ok(())
 }
 
+mcp! {
+    /// Firms with other costs than their neighbours' face the price `10 − Σ q`.
+    model Firms {
+        data { firms: usize, cost[firms]: f64 }
+        var q[i in firms] >= 0.0;
+        def total: sum(firms, |i| q[i]);
+        eq profit[i in firms]: cost[i] + q[i] * q[i] + total + q[i] >= 10.0 complements q[i];
+    }
+}
+
+fn many(criterion: &mut Criterion) {
+    const COUNT: usize = 10_000;
+    let firms = |k: usize| {
+        let cost: Vec<f64> = (0..4).map(|i| ((k * 7 + i * 13) % 101) as f64 / 10.0).collect();
+        Firms::builder().firms(4).cost(cost).build().expect("well formed")
+    };
+    let models: Vec<Firms> = (0..COUNT).map(firms).collect();
+    let options = Options::default();
+    let mut group = criterion.benchmark_group("many_10000");
+    group.throughput(Throughput::Elements(COUNT as u64)).sample_size(10);
+    group.bench_function("one_by_one", |bencher| {
+        bencher.iter(|| models.iter().filter(|firms| solve(*firms, &options).is_ok()).count());
+    });
+    group.bench_function("batch", |bencher| {
+        bencher.iter(|| solve_batch(&models, &options).iter().filter(|s| s.is_ok()).count());
+    });
+}
+
 fn small(criterion: &mut Criterion) {
     let run = |criterion: &mut Criterion| -> Result<(), ModelError> {
         bench(criterion, "kojima_shindo", &mut AdProblem::new(KojimaShindo::new()?)?)?;
@@ -62,5 +93,5 @@ fn small(criterion: &mut Criterion) {
     run(criterion).expect("the problems are well formed");
 }
 
-criterion_group!(benches, small);
+criterion_group!(benches, small, many);
 criterion_main!(benches);
