@@ -2,7 +2,7 @@
 
 use super::given::{Given, Input};
 use super::input::{DataError, LabelMap, LabelPairs, LabelSubset, Labels, Table};
-use super::layout::{At, Layout};
+use super::layout::{At, Elements, Family, Layout, Made, Sparse};
 use crate::apart::Apart;
 use crate::error::ModelError;
 use crate::model::{Definition, Equation, Parameter, Set, Shape, ShapeBuilder, Variable};
@@ -12,11 +12,35 @@ use std::mem::take;
 /// What a family is called and described by: name, description and unit.
 pub type Text<'a> = &'a [&'a str; 3];
 
+/// A value for every element, by the positions of its indices: a closure, as an object of one
+/// function where `dyn Fn` has three, which are compiled for each.
+pub trait PerElement<T> {
+    /// The value there.
+    fn value(&self, at: &At) -> T;
+}
+
+impl<T, F: Fn(&At) -> T> PerElement<T> for F {
+    fn value(&self, at: &At) -> T {
+        self(at)
+    }
+}
+
 /// A number for every element.
-pub type Each<'a> = &'a mut dyn FnMut(&At) -> f64;
+pub type Each<'a> = &'a dyn PerElement<f64>;
+
+/// What a variable family has one of for each element.
+#[derive(Clone, Copy, Debug)]
+pub enum Side {
+    /// Lower bound.
+    Lower,
+    /// Upper bound.
+    Upper,
+    /// Where a solve starts.
+    Start,
+}
 
 /// Which combinations there are: [`Assembly::variables`].
-pub type Condition<'a> = &'a mut dyn FnMut(&At) -> bool;
+pub type Condition<'a> = &'a dyn PerElement<bool>;
 
 /// A model while it is put together: what was given, the shape so far, and the first thing that is
 /// wrong.
@@ -32,9 +56,11 @@ struct Parts {
     variables: usize,
     definitions: usize,
     parameters: usize,
-    /// The variable family at hand, and its bounds and starts.
-    family: Option<Variable>,
+    /// The variable family at hand, its elements, and its bounds and starts.
+    family: Option<(Variable, Sparse)>,
     values: FamilyValues,
+    /// What was made last.
+    made: Option<Made>,
     error: Option<ModelError>,
 }
 
@@ -73,9 +99,18 @@ impl Assembly {
         make(&mut self.0).map_err(|error| self.0.error = Some(error)).ok()
     }
 
-    /// The layout, unless there was an error before.
-    fn layout(&mut self, make: impl FnOnce(&mut Parts) -> Result<Layout, ModelError>) -> Layout {
-        self.attempt(make).unwrap_or(Layout::EMPTY)
+    /// Makes a family, unless there was an error before.
+    fn make<M: Into<Made>>(
+        &mut self,
+        make: impl FnOnce(&mut Parts) -> Result<M, ModelError>,
+    ) -> &mut Self {
+        self.0.made = self.attempt(make).map(Into::into);
+        self
+    }
+
+    /// Puts the family that was made last where it belongs.
+    pub fn fill(&mut self, family: &mut dyn Family) {
+        family.take(self.0.made.take().unwrap_or(Made::EMPTY));
     }
 
     /// A field of a type of the user's own.
@@ -160,10 +195,10 @@ impl Assembly {
     }
 
     /// A table.
-    pub fn table(&mut self, field: usize, name: &str, sets: &[&Set]) -> Layout {
-        self.layout(|parts| {
+    pub fn table(&mut self, field: usize, name: &str, sets: &[&Set]) -> &mut Self {
+        self.make(|parts| {
             let values = parts.required::<Table>(field, name)?.resolve(name, sets)?;
-            Ok(Layout::new(name, sets)?.with_values(values))
+            Ok(Made { values, ..Layout::new(name, sets)?.into() })
         })
     }
 
@@ -175,20 +210,22 @@ impl Assembly {
         text: Text<'_>,
         sets: &[&Set],
         values: Option<Each<'_>>,
-    ) -> Layout {
+    ) -> &mut Self {
         let [name, about, unit] = *text;
-        self.layout(|parts| {
-            let values = match (parts.given.take::<Table>(field), values) {
+        self.make(|parts| {
+            let mut made = Made::EMPTY;
+            made.values = match (parts.given.take::<Table>(field), values) {
                 (Some(table), _) => table.resolve(name, sets)?,
-                (None, Some(values)) => Layout::new(name, sets)?.each(values),
+                (None, Some(values)) => Sparse::new(Layout::new(name, sets)?, None).each(values),
                 (None, None) => return Err(not_given(name)),
             };
-            let mut layout = Layout::new(name, sets)?;
-            layout.offset = parts.parameters;
-            parts.parameters += values.len();
-            let family = Parameter::new(name, values.clone()).over(sets).about(about).unit(unit);
+            made.elements.layout = Layout::new(name, sets)?;
+            made.elements.layout.offset = parts.parameters;
+            parts.parameters += made.values.len();
+            let family = Parameter::new(name, made.values.clone());
+            let family = family.over(sets).about(about).unit(unit);
             parts.shape = take(&mut parts.shape).parameter(family);
-            Ok(layout.with_values(values))
+            Ok(made)
         })
     }
 
@@ -199,58 +236,51 @@ impl Assembly {
         text: Text<'_>,
         sets: &[&Set],
         condition: Option<Condition<'_>>,
-    ) -> Layout {
+    ) -> &mut Self {
         let [name, about, unit] = *text;
-        self.layout(|parts| {
-            let mut layout = Layout::new(name, sets)?;
+        self.make(|parts| {
+            let layout = Layout::new(name, sets)?;
             let mut family = Variable::new(name).about(about).unit(unit).over(sets);
-            if let Some(condition) = condition {
-                let holds = |&dense: &usize| condition(&layout.split(dense));
+            let mut elements = if let Some(condition) = condition {
+                let holds = |&dense: &usize| condition.value(&layout.split(dense));
                 let members: Vec<usize> = (0..layout.count).filter(holds).collect();
-                layout = layout.only(&members);
+                let elements = Sparse::new(layout, Some(&members));
                 family = family.only(members);
-            }
-            layout.offset = parts.variables;
-            parts.variables += layout.count;
+                elements
+            } else {
+                Sparse::new(layout, None)
+            };
+            elements.layout.offset = parts.variables;
+            parts.variables += elements.layout.count;
             parts.declare();
-            (parts.family, parts.values) = (Some(family), FamilyValues::free(layout.count));
-            Ok(layout)
+            parts.values = FamilyValues::free(elements.layout.count);
+            parts.family = Some((family, elements.clone()));
+            Ok(elements)
         })
     }
 
-    /// Lower bounds of the variable family at hand.
-    pub fn lower(&mut self, layout: &Layout, each: Each<'_>) {
-        if let Some(values) = self.attempt(|_| Ok(layout.each(each))) {
-            self.0.values.lower = values;
-        }
+    /// Bounds or starts of the variable family at hand: the same number for all.
+    pub fn constant(&mut self, side: Side, number: f64) {
+        self.values(side, &|_: &At| number);
     }
 
-    /// Upper bounds of the variable family at hand.
-    pub fn upper(&mut self, layout: &Layout, each: Each<'_>) {
-        if let Some(values) = self.attempt(|_| Ok(layout.each(each))) {
-            self.0.values.upper = values;
-        }
-    }
-
-    /// Starts of the variable family at hand.
-    pub fn start(&mut self, layout: &Layout, each: Each<'_>) {
-        if let Some(values) = self.attempt(|_| Ok(layout.each(each))) {
-            self.0.values.start = values;
-        }
+    /// Bounds or starts of the variable family at hand.
+    pub fn values(&mut self, side: Side, each: Each<'_>) {
+        self.attempt(|parts| {
+            if let Some((_, elements)) = &parts.family {
+                *parts.values.of(side) = elements.each(each);
+            }
+            Ok(())
+        });
     }
 
     /// Fixes elements of the variable family at hand: for each combination of `sets` one, where there
     /// is one. Without `sets` it must exist.
-    pub fn fix(
-        &mut self,
-        name: &str,
-        sets: &[&Set],
-        place: &mut dyn FnMut(&At) -> (Option<usize>, f64),
-    ) {
+    pub fn fix(&mut self, name: &str, sets: &[&Set], place: &dyn PerElement<(Option<usize>, f64)>) {
         self.attempt(|parts| {
             let layout = Layout::new(name, sets)?;
             for combination in 0..layout.count {
-                let (place, value) = place(&layout.split(combination));
+                let (place, value) = place.value(&layout.split(combination));
                 if place.is_some() || sets.is_empty() {
                     parts.values.fix(place, value, name)?;
                 }
@@ -260,9 +290,9 @@ impl Assembly {
     }
 
     /// Lays a definition family out and declares it.
-    pub fn definition(&mut self, text: Text<'_>, sets: &[&Set]) -> Layout {
+    pub fn definition(&mut self, text: Text<'_>, sets: &[&Set]) -> &mut Self {
         let [name, about, unit] = *text;
-        self.layout(|parts| {
+        self.make(|parts| {
             let mut layout = Layout::new(name, sets)?;
             layout.offset = parts.definitions;
             parts.definitions += layout.count;
@@ -273,9 +303,9 @@ impl Assembly {
     }
 
     /// Lays a report family out and declares it.
-    pub fn report(&mut self, text: Text<'_>, sets: &[&Set]) -> Layout {
+    pub fn report(&mut self, text: Text<'_>, sets: &[&Set]) -> &mut Self {
         let [name, about, unit] = *text;
-        self.layout(|parts| {
+        self.make(|parts| {
             let family = Definition::new(name).about(about).unit(unit).over(sets);
             parts.shape = take(&mut parts.shape).report(family);
             Layout::new(name, sets)
@@ -289,33 +319,36 @@ impl Assembly {
         text: Text<'_>,
         sets: &[&Set],
         variable: &str,
-        paired: &mut dyn FnMut(&At) -> Option<usize>,
-    ) -> Layout {
-        self.layout(|parts| {
+        paired: &dyn PerElement<Option<usize>>,
+    ) -> &mut Self {
+        self.make(|parts| {
             let layout = Layout::new(text[0], sets)?;
-            let place = |combination| paired(&layout.split(combination));
+            let place = |combination| paired.value(&layout.split(combination));
             Ok(parts.equation(text, sets, variable, &layout, place))
         })
     }
 
-    /// The same where each combination is paired with the element of the same combination.
+    /// The same where each combination is paired with the element of the same combination, if
+    /// there is one.
     pub fn equation_like(
         &mut self,
         text: Text<'_>,
         sets: &[&Set],
         variable: &str,
-        like: &Layout,
-    ) -> Layout {
-        self.layout(|parts| {
+        like: Option<&Sparse>,
+    ) -> &mut Self {
+        self.make(|parts| {
             let layout = Layout::new(text[0], sets)?;
-            Ok(parts.equation(text, sets, variable, &layout, |combination| like.place(combination)))
+            let place =
+                |combination| like.map_or(Some(combination), |like| like.place(combination));
+            Ok(parts.equation(text, sets, variable, &layout, place))
         })
     }
 
     /// The equation family of a lifted definition.
-    pub fn lifted(&mut self, text: Text<'_>, sets: &[&Set], variable: &str) -> Layout {
+    pub fn lifted(&mut self, text: Text<'_>, sets: &[&Set], variable: &str) -> &mut Self {
         let [name, about, unit] = *text;
-        self.layout(|parts| {
+        self.make(|parts| {
             let family = Equation::new(name).about(about).unit(unit).over(sets);
             parts.shape = take(&mut parts.shape).equation(family.complements(variable));
             Layout::new(variable, sets)
@@ -346,7 +379,7 @@ impl Parts {
 
     /// Declares the variable family at hand, if there is one.
     fn declare(&mut self) {
-        if let Some(family) = self.family.take() {
+        if let Some((family, _)) = self.family.take() {
             let FamilyValues { lower, upper, start } = take(&mut self.values);
             let family = family.lower(lower).upper(upper).start(start);
             self.shape = take(&mut self.shape).variable(family);
@@ -361,17 +394,17 @@ impl Parts {
         variable: &str,
         all: &Layout,
         mut place: impl FnMut(usize) -> Option<usize>,
-    ) -> Layout {
+    ) -> Sparse {
         let place = |combination| place(combination).map(|place| (combination, place));
         let (members, places): (Vec<_>, Vec<_>) = (0..all.count).filter_map(place).unzip();
-        let (mut layout, mut family) =
-            (all.clone(), Equation::new(name).about(about).unit(unit).over(sets));
-        if members.len() < layout.count {
-            layout = layout.only(&members);
+        let some = (members.len() < all.count).then_some(&members[..]);
+        let rows = Sparse::new(all.clone(), some);
+        let mut family = Equation::new(name).about(about).unit(unit).over(sets);
+        if members.len() < all.count {
             family = family.only(members);
         }
         self.shape = take(&mut self.shape).equation(family.complements_elements(variable, places));
-        layout
+        rows
     }
 }
 
@@ -390,6 +423,14 @@ impl FamilyValues {
             lower: vec![f64::NEG_INFINITY; count],
             upper: vec![f64::INFINITY; count],
             start: vec![0.0; count],
+        }
+    }
+
+    fn of(&mut self, side: Side) -> &mut Vec<f64> {
+        match side {
+            Side::Lower => &mut self.lower,
+            Side::Upper => &mut self.upper,
+            Side::Start => &mut self.start,
         }
     }
 

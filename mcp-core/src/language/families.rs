@@ -2,28 +2,31 @@
 //! of equations, each over a tuple of index sets.
 
 use super::ix::{Domain, Element, Maybe, Near};
-use super::layout::{At, Layout};
-use crate::model::Reader;
+use super::layout::{At, Elements, Filled, Layout};
+use crate::model::{Asked, Reader};
 use crate::scalar::{Real, Scalar};
 use std::fmt;
 use std::marker::PhantomData;
 
 macro_rules! families {
-    ($($(#[$about:meta])* $Family:ident)*) => { $(
+    ($($(#[$about:meta])* $Family:ident<X $(, $L:ident)?>($Stored:ty $(= $Default:ty)?))*) => { $(
         $(#[$about])*
-        pub struct $Family<X>(#[doc(hidden)] pub Layout, PhantomData<fn() -> X>);
+        pub struct $Family<X $(, $L = $Default)?>(
+            #[doc(hidden)] pub $Stored,
+            PhantomData<fn() -> X>,
+        );
 
-        impl<X> $Family<X> {
+        impl<X $(, $L: Elements)?> $Family<X $(, $L)?> {
             /// Without elements.
             #[doc(hidden)]
-            pub const EMPTY: Self = $Family(Layout::EMPTY, PhantomData);
+            pub const EMPTY: Self = $Family(<$Stored>::EMPTY, PhantomData);
         }
-        impl<X> Clone for $Family<X> {
+        impl<X $(, $L: Clone)?> Clone for $Family<X $(, $L)?> {
             fn clone(&self) -> Self {
                 $Family(self.0.clone(), PhantomData)
             }
         }
-        impl<X> fmt::Debug for $Family<X> {
+        impl<X $(, $L: fmt::Debug)?> fmt::Debug for $Family<X $(, $L)?> {
             fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
                 f.debug_tuple(stringify!($Family)).field(&self.0).finish()
             }
@@ -33,15 +36,15 @@ macro_rules! families {
 
 families! {
     /// Numbers given with the data, one for each combination: `cost[i, j]`.
-    Data
+    Data<X>(Filled)
     /// A variable family: `x[i, j]`.
-    Variables
+    Variables<X, L>(L = Layout)
     /// A definition family: `cost[i]`, evaluated once per pass.
-    Definitions
+    Definitions<X>(Layout)
     /// A parameter family: `tax[i]`, and its value in the data, `tax.base(i)`.
-    Parameters
+    Parameters<X>(Filled)
     /// An equation family: which of its combinations have a row.
-    Rows
+    Rows<X, L>(L = Layout)
 }
 
 impl<X> Data<X> {
@@ -52,25 +55,6 @@ impl<X> Data<X> {
     /// All values in order.
     pub fn values(&self) -> &[f64] {
         self.0.values()
-    }
-}
-
-/// The variable with this number in dense order; 0 if its condition does not hold. With lanes by a
-/// call, as [`Reader::row_var`].
-#[inline]
-fn variable<D: Scalar>(layout: &Layout, read: &Reader<'_, D>, dense: usize) -> Real<D> {
-    if const { D::LANES == 0 } && !layout.is_sparse {
-        read.row_var(layout.offset + dense)
-    } else {
-        variable_apart(layout, read, dense)
-    }
-}
-
-#[inline(never)]
-fn variable_apart<D: Scalar>(layout: &Layout, read: &Reader<'_, D>, dense: usize) -> Real<D> {
-    match layout.place(dense) {
-        Some(place) => read.var(layout.offset + place),
-        None => Real::from(0.0),
     }
 }
 
@@ -111,33 +95,33 @@ macro_rules! reading {
             #[doc(hidden)]
             #[inline]
             pub fn get(&self, $($i: impl Element<$S>),*) -> f64 {
-                self.0.values()[Position::<($($S,)*)>::dense(&self.0, $($i),*)]
+                self.0.values()[Position::<($($S,)*)>::dense(&self.0.layout, $($i),*)]
             }
             /// The value at indices that may not exist.
             #[inline]
             pub fn at(&self, $($i: impl Near<$S>),*) -> Maybe<f64> {
-                Maybe(Position::<($($S,)*)>::near(&self.0, $($i),*).map(|dense| self.0.values()[dense]))
+                Maybe(Position::<($($S,)*)>::near(&self.0.layout, $($i),*).map(|dense| self.0.values()[dense]))
             }
         }
         #[allow(clippy::too_many_arguments, reason = "one for each index set")]
-        impl<$($S: Domain),*> Variables<($($S,)*)> {
+        impl<$($S: Domain,)* L: Elements> Variables<($($S,)*), L> {
             /// One variable.
             #[doc(hidden)]
             #[inline]
             pub fn get<D: Scalar>(&self, read: &Reader<'_, D>, $($i: impl Element<$S>),*) -> Real<D> {
-                variable(&self.0, read, Position::<($($S,)*)>::dense(&self.0, $($i),*))
+                self.0.variable(read, Position::<($($S,)*)>::dense(self.0.layout(), $($i),*))
             }
             /// A variable at indices that may not exist. Inside `mcp!` it is called without `read`:
             /// `stock.at(t - 1).or(0.0)`.
             #[inline]
             pub fn at<D: Scalar>(&self, read: &Reader<'_, D>, $($i: impl Near<$S>),*) -> Maybe<Real<D>> {
-                let place = Position::<($($S,)*)>::near(&self.0, $($i),*).and_then(|dense| self.0.place(dense));
-                Maybe(place.map(|place| read.row_var(self.0.offset + place)))
+                let place = Position::<($($S,)*)>::near(self.0.layout(), $($i),*).and_then(|dense| self.0.place(dense));
+                Maybe(place.map(|place| read.row(Asked::Variable, self.0.layout().offset + place)))
             }
             /// Place of an element in the family, if it has one.
             #[doc(hidden)]
             pub fn place(&self, $($i: impl Element<$S>),*) -> Option<usize> {
-                self.0.place(Position::<($($S,)*)>::dense(&self.0, $($i),*))
+                self.0.place(Position::<($($S,)*)>::dense(self.0.layout(), $($i),*))
             }
         }
         #[allow(clippy::too_many_arguments, reason = "one for each index set")]
@@ -146,12 +130,12 @@ macro_rules! reading {
             #[doc(hidden)]
             #[inline]
             pub fn get<D: Scalar>(&self, read: &Reader<'_, D>, $($i: impl Element<$S>),*) -> Real<D> {
-                read.row_def(self.0.offset + Position::<($($S,)*)>::dense(&self.0, $($i),*))
+                read.row(Asked::Definition, self.0.offset + Position::<($($S,)*)>::dense(&self.0, $($i),*))
             }
             /// A definition that may not exist.
             #[inline]
             pub fn at<D: Scalar>(&self, read: &Reader<'_, D>, $($i: impl Near<$S>),*) -> Maybe<Real<D>> {
-                Maybe(Position::<($($S,)*)>::near(&self.0, $($i),*).map(|dense| read.row_def(self.0.offset + dense)))
+                Maybe(Position::<($($S,)*)>::near(&self.0, $($i),*).map(|dense| read.row(Asked::Definition, self.0.offset + dense)))
             }
             /// The positions of a definition's indices in their sets.
             #[doc(hidden)]
@@ -166,21 +150,21 @@ macro_rules! reading {
             #[doc(hidden)]
             #[inline]
             pub fn get<D: Scalar>(&self, read: &Reader<'_, D>, $($i: impl Element<$S>),*) -> Real<D> {
-                read.row_param(self.0.offset + Position::<($($S,)*)>::dense(&self.0, $($i),*))
+                read.row(Asked::Parameter, self.0.layout.offset + Position::<($($S,)*)>::dense(&self.0.layout, $($i),*))
             }
             /// A parameter that may not exist.
             #[inline]
             pub fn at<D: Scalar>(&self, read: &Reader<'_, D>, $($i: impl Near<$S>),*) -> Maybe<Real<D>> {
-                let dense = Position::<($($S,)*)>::near(&self.0, $($i),*);
-                Maybe(dense.map(|dense| read.row_param(self.0.offset + dense)))
+                let dense = Position::<($($S,)*)>::near(&self.0.layout, $($i),*);
+                Maybe(dense.map(|dense| read.row(Asked::Parameter, self.0.layout.offset + dense)))
             }
             /// Its value in the data: a plain number, which no later change of the parameter moves.
             #[inline]
             pub fn base(&self, $($i: impl Element<$S>),*) -> f64 {
-                self.0.values()[Position::<($($S,)*)>::dense(&self.0, $($i),*)]
+                self.0.values()[Position::<($($S,)*)>::dense(&self.0.layout, $($i),*)]
             }
         }
-        impl<$($S: Domain),*> Rows<($($S,)*)> {
+        impl<$($S: Domain,)* L: Elements> Rows<($($S,)*), L> {
             /// The positions of a row's indices in their sets.
             #[doc(hidden)]
             #[inline]

@@ -1,4 +1,5 @@
 use super::super::ix::{Ix, Shifted, narrow};
+use super::super::layout::{Family, Made, Sparse};
 use super::super::test_sets::*;
 use super::*;
 use crate::model::{Point, Reads, Recorder, Set};
@@ -64,15 +65,17 @@ macro_rules! check {
             let base: Vec<f64> = (0..all.len()).map(|dense| 0.5 + dense as f64).collect();
 
             let dense_family: Variables<Sets> = family(layout(lengths, offset));
-            let sparse_family: Variables<Sets> = family(layout(lengths, offset).only(&members));
-            assert_eq!((dense_family.0.count, sparse_family.0.count), (all.len(), members.len()));
+            let some = |offset| Sparse::new(layout(lengths, offset), Some(&members));
+            let filled = |offset| filled(layout(lengths, offset), &base);
+            let sparse_family: Variables<Sets, Sparse> = family(some(offset));
+            let counts = (dense_family.0.count, sparse_family.0.layout.count);
+            assert_eq!(counts, (all.len(), members.len()));
             let definitions: Definitions<Sets> = family(layout(lengths, offset));
-            let parameters: Parameters<Sets> =
-                family(layout(lengths, offset).with_values(base.clone()));
+            let parameters: Parameters<Sets> = family(filled(offset));
             assert_eq!(parameters.0.values(), base);
-            let data: Data<Sets> = family(layout(lengths, 0).with_values(base.clone()));
+            let data: Data<Sets> = family(filled(0));
             let rows: Rows<Sets> = family(layout(lengths, 0));
-            let sparse_rows: Rows<Sets> = family(layout(lengths, 0).only(&members));
+            let sparse_rows: Rows<Sets, Sparse> = family(some(0));
 
             for (dense, _at) in all.iter().enumerate() {
                 let number = offset + dense;
@@ -143,26 +146,41 @@ fn layout(lengths: &[usize], offset: usize) -> Layout {
     layout
 }
 
+/// A family with these values.
+fn filled(layout: Layout, values: &[f64]) -> Filled {
+    let mut filled = Filled::EMPTY;
+    Family::take(&mut filled, Made { values: values.to_vec(), ..layout.into() });
+    filled
+}
+
 /// A family of any kind.
-fn family<F: FromLayout>(layout: Layout) -> F {
-    F::from_layout(layout)
+fn family<L, F: Over<L>>(layout: L) -> F {
+    F::over(layout)
 }
 
-trait FromLayout {
-    fn from_layout(layout: Layout) -> Self;
+trait Over<L> {
+    fn over(layout: L) -> Self;
 }
 
-macro_rules! from_layout {
-    ($($Family:ident),*) => { $(
-        impl<X> FromLayout for $Family<X> {
-            fn from_layout(layout: Layout) -> Self {
-                $Family(layout, PhantomData)
+macro_rules! over {
+    ($($Family:ty: $Layout:ty),* $(,)?) => { $(
+        impl<X> Over<$Layout> for $Family {
+            fn over(layout: $Layout) -> Self {
+                Self(layout, PhantomData)
             }
         }
     )* };
 }
 
-from_layout!(Data, Variables, Definitions, Parameters, Rows);
+over! {
+    Data<X>: Filled,
+    Variables<X>: Layout,
+    Variables<X, Sparse>: Sparse,
+    Definitions<X>: Layout,
+    Parameters<X>: Filled,
+    Rows<X>: Layout,
+    Rows<X, Sparse>: Sparse,
+}
 
 /// A position as an index.
 trait AsIndex {
@@ -205,7 +223,7 @@ proptest! {
     fn the_sum_of_a_table_is_that_of_its_values_from_the_first_to_the_last(
         values in prop::collection::vec(-1e6..1e6, 0..50),
     ) {
-        let data = family::<Data<(Hours,)>>(layout(&[values.len()], 0).with_values(values.clone()));
+        let data = family::<_, Data<(Hours,)>>(filled(layout(&[values.len()], 0), &values));
         prop_assert_eq!(data.sum(), values.iter().fold(0.0, |total, value| total + value));
     }
 }
@@ -221,8 +239,8 @@ fn reads_do_not_depend_on_whether_all_elements_are_listed() {
 
 #[test]
 fn a_family_without_index_sets_may_be_absent() {
-    let absent: Variables<()> = family(layout(&[], 4).only(&[]));
-    assert_eq!((absent.0.count, absent.place()), (0, None));
+    let absent: Variables<(), Sparse> = family(Sparse::new(layout(&[], 4), Some(&[])));
+    assert_eq!((absent.0.layout.count, absent.place()), (0, None));
     let (values, reads) = recorded(|read| (absent.get(read), absent.at(read)));
     assert_eq!(values.0.into_scalar(), 0.0);
     assert!(!values.1.exists() && reads.variables.is_empty());
@@ -230,7 +248,7 @@ fn a_family_without_index_sets_may_be_absent() {
 
 #[test]
 fn the_base_of_a_parameter_is_its_value_in_the_data_whatever_is_read() {
-    let tax: Parameters<(Hours,)> = family(layout(&[2], 0).with_values(vec![0.25, 0.5]));
+    let tax: Parameters<(Hours,)> = family(filled(layout(&[2], 0), &[0.25, 0.5]));
     let (value, reads) = recorded(|_| tax.base(1.ix()));
     assert_eq!(value, 0.5);
     assert_eq!(touched(&reads), NOTHING);
@@ -241,8 +259,8 @@ fn an_index_of_a_subset_reads_the_element_of_the_larger_set() {
     let nodes = nodes(4);
     let towns = towns(&nodes, &[1, 3]);
     let ports = ports(&towns, &[1]);
-    let values = (0..8).map(f64::from).collect();
-    let load: Data<(Nodes, Towns)> = family(layout(&[4, 2], 0).with_values(values));
+    let values: Vec<f64> = (0..8).map(f64::from).collect();
+    let load: Data<(Nodes, Towns)> = family(filled(layout(&[4, 2], 0), &values));
     for port in &ports {
         assert_eq!(load.get(port, port), 7.0);
         assert_eq!(load.at(port, port), Maybe(Some(7.0)));
@@ -251,7 +269,7 @@ fn an_index_of_a_subset_reads_the_element_of_the_larger_set() {
 
 #[test]
 fn an_empty_table_sums_to_nothing() {
-    let data: Data<(Hours, Hours)> = family(layout(&[0, 3], 0).with_values(vec![]));
+    let data: Data<(Hours, Hours)> = family(filled(layout(&[0, 3], 0), &[]));
     assert_eq!(data.sum(), 0.0);
     assert!(data.values().is_empty());
     assert!(!data.at(hour(0), hour(0)).exists());

@@ -5,6 +5,7 @@ use std::fmt;
 use std::hash::{Hash, Hasher};
 use std::marker::PhantomData;
 use std::ops::{Add, Sub};
+use std::slice::Iter;
 
 /// The name of an index set as a type. `mcp!` makes one for each set of a model.
 pub trait Domain: Copy + fmt::Debug + 'static {
@@ -41,23 +42,64 @@ pub(super) fn signed(position: usize) -> i64 {
     position as i64
 }
 
-/// What an index carries.
+/// What an index carries, as numbers: its position, for a subset followed by those of the index in
+/// the larger set. Sets keep lists of such numbers, whose code no model compiles for its own types.
 pub trait Place: Copy + Eq + fmt::Debug {
+    /// How many numbers.
+    #[doc(hidden)]
+    const NUMBERS: usize;
     /// Position in the set, counted from 0.
     fn position(self) -> usize;
+    /// From the numbers that stand at `first`.
+    #[doc(hidden)]
+    fn at(numbers: &[u32], first: usize) -> Self;
+    /// From the next numbers of a list.
+    #[doc(hidden)]
+    fn next(numbers: &mut Iter<'_, u32>) -> Option<Self>;
+    /// From the last numbers of a list.
+    #[doc(hidden)]
+    fn next_back(numbers: &mut Iter<'_, u32>) -> Option<Self>;
 }
 
 impl Place for u32 {
+    const NUMBERS: usize = 1;
     #[inline]
     fn position(self) -> usize {
         self as usize
     }
+    #[inline]
+    fn at(numbers: &[u32], first: usize) -> Self {
+        numbers[first]
+    }
+    #[inline]
+    fn next(numbers: &mut Iter<'_, u32>) -> Option<Self> {
+        numbers.next().copied()
+    }
+    #[inline]
+    fn next_back(numbers: &mut Iter<'_, u32>) -> Option<Self> {
+        numbers.next_back().copied()
+    }
 }
 
 impl<P: Domain> Place for (u32, Ix<P>) {
+    const NUMBERS: usize = 1 + P::Place::NUMBERS;
     #[inline]
     fn position(self) -> usize {
         self.0 as usize
+    }
+    #[inline]
+    fn at(numbers: &[u32], first: usize) -> Self {
+        (numbers[first], Ix::at(numbers, first + 1))
+    }
+    #[inline]
+    fn next(numbers: &mut Iter<'_, u32>) -> Option<Self> {
+        let position = *numbers.next()?;
+        Some((position, Ix { place: P::Place::next(numbers)? }))
+    }
+    #[inline]
+    fn next_back(numbers: &mut Iter<'_, u32>) -> Option<Self> {
+        let larger = Ix { place: P::Place::next_back(numbers)? };
+        Some((*numbers.next_back()?, larger))
     }
 }
 
@@ -78,9 +120,10 @@ impl<S: Domain> Ix<S> {
         self.place.position()
     }
 
+    /// From the numbers that stand at `first`.
     #[inline]
-    pub(super) fn of_place(place: S::Place) -> Self {
-        Ix { place }
+    pub(super) fn at(numbers: &[u32], first: usize) -> Self {
+        Ix { place: S::Place::at(numbers, first) }
     }
 }
 
@@ -130,6 +173,42 @@ impl<S: Domain> fmt::Debug for Ix<S> {
         write!(f, "Ix({})", self.position())
     }
 }
+
+/// Indices out of a list, in its order.
+#[derive(Clone, Debug)]
+pub struct Listed<'a, S> {
+    numbers: Iter<'a, u32>,
+    domain: PhantomData<fn() -> S>,
+}
+
+impl<'a, S: Domain> Listed<'a, S> {
+    #[inline]
+    pub(super) fn new(numbers: &'a [u32]) -> Self {
+        Listed { numbers: numbers.iter(), domain: PhantomData }
+    }
+}
+
+impl<S: Domain> Iterator for Listed<'_, S> {
+    type Item = Ix<S>;
+    #[inline]
+    fn next(&mut self) -> Option<Ix<S>> {
+        S::Place::next(&mut self.numbers).map(|place| Ix { place })
+    }
+    #[inline]
+    fn size_hint(&self) -> (usize, Option<usize>) {
+        let count = self.numbers.len() / S::Place::NUMBERS;
+        (count, Some(count))
+    }
+}
+
+impl<S: Domain> DoubleEndedIterator for Listed<'_, S> {
+    #[inline]
+    fn next_back(&mut self) -> Option<Ix<S>> {
+        S::Place::next_back(&mut self.numbers).map(|place| Ix { place })
+    }
+}
+
+impl<S: Domain> ExactSizeIterator for Listed<'_, S> {}
 
 /// A neighbour of an element of an ordered set, `t - 1`, which may not exist.
 #[derive(Clone, Copy, Debug)]

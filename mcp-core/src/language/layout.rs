@@ -1,9 +1,11 @@
 //! [`Layout`]: a family without its index types. Not generic, so that it is compiled once and not
 //! with every model.
 
+use super::assemble::Each;
 use super::ix::narrow;
 use crate::error::ModelError;
-use crate::model::{Set, combinations};
+use crate::model::{Asked, Reader, Set, combinations};
+use crate::scalar::{Real, Scalar};
 
 /// Most index sets of one family.
 pub(super) const MOST_SETS: usize = 6;
@@ -14,36 +16,80 @@ const ABSENT: u32 = u32::MAX;
 /// The positions that make a combination, 0 behind the last.
 pub type At = [usize; MOST_SETS];
 
-/// Where the elements of a family stand, the last index running fastest, and what is known of them.
+/// Where the elements of a family stand, one for each combination, the last index running fastest.
 ///
-/// Dropped in a few instructions, none of which can fail, since a model has many.
+/// There is nothing to drop: a model has many.
 #[derive(Clone, Debug)]
 pub struct Layout {
     pub(super) lengths: At,
     /// Number of the first element among all of its kind.
     pub(super) offset: usize,
-    /// Number of elements that exist.
+    /// Number of elements.
     pub(super) count: usize,
-    /// Whether some combinations have no element.
-    pub(super) is_sparse: bool,
-    /// Data: the value of every combination.
-    values: Vec<f64>,
-    /// For a family with conditions: the place of every combination, [`ABSENT`] where there is none,
-    /// and behind them the combination of every element.
+}
+
+/// A family of which some combinations may have no element.
+#[derive(Clone, Debug)]
+pub struct Sparse {
+    pub(super) layout: Layout,
+    /// The place of every combination, [`ABSENT`] where there is none, and behind them the
+    /// combination of every element; nothing if every combination has one.
     places: Vec<u32>,
 }
 
-impl Layout {
-    /// No element.
-    pub(super) const EMPTY: Layout = Layout {
-        lengths: [1; MOST_SETS],
-        offset: 0,
-        count: 0,
-        is_sparse: false,
-        values: Vec::new(),
-        places: Vec::new(),
-    };
+/// A family with a value for every combination.
+#[derive(Clone, Debug)]
+pub struct Filled {
+    pub(super) layout: Layout,
+    values: Vec<f64>,
+}
 
+/// What [`Assembly`](super::Assembly) makes of a family: its elements, and data with their values.
+#[derive(Clone, Debug)]
+pub struct Made {
+    pub(super) elements: Sparse,
+    pub(super) values: Vec<f64>,
+}
+
+/// A family of a model, which takes what was made in the place of an empty one.
+pub trait Family {
+    /// Takes it.
+    fn take(&mut self, made: Made);
+}
+
+impl Family for Layout {
+    fn take(&mut self, made: Made) {
+        debug_assert!(!made.elements.is_sparse(), "without condition every combination exists");
+        *self = made.elements.layout;
+    }
+}
+impl Family for Sparse {
+    fn take(&mut self, made: Made) {
+        *self = made.elements;
+    }
+}
+impl Family for Filled {
+    fn take(&mut self, made: Made) {
+        *self = Filled { layout: made.elements.layout, values: made.values };
+    }
+}
+
+/// A family of variables or rows, with all combinations or some.
+pub trait Elements {
+    /// No element.
+    const EMPTY: Self;
+    /// All combinations.
+    fn layout(&self) -> &Layout;
+    /// Place of a combination in the family, if it has one.
+    fn place(&self, dense: usize) -> Option<usize>;
+    /// The positions of an element's indices in their sets.
+    fn split(&self, row: usize) -> At;
+    /// The variable of a combination; 0 if its condition does not hold. With lanes by a call, as
+    /// every place that reads a variable would otherwise be compiled with all sources.
+    fn variable<D: Scalar>(&self, read: &Reader<'_, D>, dense: usize) -> Real<D>;
+}
+
+impl Layout {
     /// A family with all combinations of its sets.
     ///
     /// # Errors
@@ -54,64 +100,30 @@ impl Layout {
             *length = set.len();
         }
         match combinations(sets) {
-            Some(count) => Ok(Layout { lengths, count, ..Layout::EMPTY }),
+            Some(count) => Ok(Layout { lengths, offset: 0, count }),
             None => Err(ModelError::TooManyElements { name: family.to_owned() }),
         }
     }
 
-    /// Takes the place of an empty layout, so that a model need not drop that one itself.
-    pub fn set(&mut self, made: Layout) {
-        *self = made;
+    #[inline(never)]
+    pub(super) fn variable_apart<D: Scalar>(&self, read: &Reader<'_, D>, dense: usize) -> Real<D> {
+        read.var(self.offset + dense)
     }
+}
 
-    /// The same with only some of the combinations, in order.
-    pub(super) fn only(mut self, members: &[usize]) -> Self {
-        let mut places = vec![ABSENT; self.combinations()];
-        for (place, &dense) in members.iter().enumerate() {
-            places[dense] = narrow(place);
-        }
-        places.extend(members.iter().map(|&dense| narrow(dense)));
-        (self.is_sparse, self.count, self.places) = (true, members.len(), places);
-        self
-    }
+impl Elements for Layout {
+    const EMPTY: Self = Layout { lengths: [1; MOST_SETS], offset: 0, count: 0 };
 
-    /// The same with values of all combinations.
-    pub(super) fn with_values(mut self, values: Vec<f64>) -> Self {
-        self.values = values;
-        self
-    }
-
-    /// Number of combinations, with an element or without.
-    fn combinations(&self) -> usize {
-        self.lengths.iter().product()
-    }
-
-    /// Combinations of the elements, unless there is an element for each.
-    #[cfg(test)]
-    pub(super) fn members(&self) -> Option<Vec<usize>> {
-        let members = || self.places[self.combinations()..].iter();
-        self.is_sparse.then(|| members().map(|&dense| dense as usize).collect())
-    }
-
-    /// Data: the value of every combination.
     #[inline]
-    pub fn values(&self) -> &[f64] {
-        &self.values
+    fn layout(&self) -> &Layout {
+        self
     }
-
-    /// One value for each element.
-    pub fn each(&self, value: &mut dyn FnMut(&At) -> f64) -> Vec<f64> {
-        (0..self.count).map(|row| value(&self.split(row))).collect()
+    #[inline]
+    fn place(&self, dense: usize) -> Option<usize> {
+        Some(dense)
     }
-
-    /// The positions of an element's indices in their sets.
-    pub(super) fn split(&self, row: usize) -> At {
-        let mut positions = [0; MOST_SETS];
-        let mut rest = if self.is_sparse {
-            self.places[self.places.len() - self.count + row] as usize
-        } else {
-            row
-        };
+    fn split(&self, row: usize) -> At {
+        let (mut positions, mut rest) = ([0; MOST_SETS], row);
         for (position, &length) in positions.iter_mut().zip(&self.lengths).rev() {
             if length > 1 {
                 (*position, rest) = (rest % length, rest / length);
@@ -119,14 +131,106 @@ impl Layout {
         }
         positions
     }
-
-    /// Place of a combination in the family, if it has one.
     #[inline]
-    pub(super) fn place(&self, dense: usize) -> Option<usize> {
-        if self.is_sparse { self.sparse_place(dense) } else { Some(dense) }
+    fn variable<D: Scalar>(&self, read: &Reader<'_, D>, dense: usize) -> Real<D> {
+        if const { D::LANES == 0 } {
+            read.row(Asked::Variable, self.offset + dense)
+        } else {
+            self.variable_apart(read, dense)
+        }
+    }
+}
+
+impl Sparse {
+    /// All combinations, or only some of them, in order.
+    pub(super) fn new(layout: Layout, members: Option<&[usize]>) -> Self {
+        let mut sparse = Sparse { layout, places: Vec::new() };
+        if let Some(members) = members {
+            sparse.places = vec![ABSENT; sparse.layout.count];
+            for (place, &dense) in members.iter().enumerate() {
+                sparse.places[dense] = narrow(place);
+            }
+            sparse.places.extend(members.iter().map(|&dense| narrow(dense)));
+            sparse.layout.count = members.len();
+        }
+        sparse
     }
 
-    fn sparse_place(&self, dense: usize) -> Option<usize> {
+    fn is_sparse(&self) -> bool {
+        !self.places.is_empty()
+    }
+
+    /// Combinations of the elements, unless there is an element for each.
+    #[cfg(test)]
+    pub(super) fn members(&self) -> Option<Vec<usize>> {
+        let members = || self.places[self.places.len() - self.layout.count..].iter();
+        self.is_sparse().then(|| members().map(|&dense| dense as usize).collect())
+    }
+
+    /// One value for each element.
+    pub(super) fn each(&self, each: Each<'_>) -> Vec<f64> {
+        (0..self.layout.count).map(|row| each.value(&self.split(row))).collect()
+    }
+
+    #[inline(never)]
+    pub(super) fn variable_apart<D: Scalar>(&self, read: &Reader<'_, D>, dense: usize) -> Real<D> {
+        match self.place(dense) {
+            Some(place) => read.var(self.layout.offset + place),
+            None => Real::from(0.0),
+        }
+    }
+}
+
+impl Elements for Sparse {
+    const EMPTY: Self = Sparse { layout: Layout::EMPTY, places: Vec::new() };
+
+    #[inline]
+    fn layout(&self) -> &Layout {
+        &self.layout
+    }
+    fn place(&self, dense: usize) -> Option<usize> {
+        if !self.is_sparse() {
+            return Some(dense);
+        }
         Some(self.places[dense]).filter(|&place| place != ABSENT).map(|place| place as usize)
+    }
+    fn split(&self, row: usize) -> At {
+        let dense = if self.is_sparse() {
+            self.places[self.places.len() - self.layout.count + row] as usize
+        } else {
+            row
+        };
+        self.layout.split(dense)
+    }
+    #[inline]
+    fn variable<D: Scalar>(&self, read: &Reader<'_, D>, dense: usize) -> Real<D> {
+        self.variable_apart(read, dense)
+    }
+}
+
+impl Filled {
+    /// No element.
+    pub(super) const EMPTY: Self = Filled { layout: Layout::EMPTY, values: Vec::new() };
+
+    /// The value of every combination.
+    #[inline]
+    pub fn values(&self) -> &[f64] {
+        &self.values
+    }
+}
+
+impl Made {
+    pub(super) const EMPTY: Self = Made { elements: Sparse::EMPTY, values: Vec::new() };
+}
+
+impl From<Layout> for Made {
+    fn from(layout: Layout) -> Self {
+        Sparse::new(layout, None).into()
+    }
+}
+
+impl From<Sparse> for Made {
+    fn from(elements: Sparse) -> Self {
+        Made { elements, values: Vec::new() }
     }
 }

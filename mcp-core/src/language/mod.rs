@@ -20,6 +20,7 @@ mod expression;
 mod families;
 mod given;
 pub mod input;
+mod instances;
 mod ix;
 mod layout;
 mod pairs;
@@ -29,17 +30,19 @@ mod test_sets;
 mod view;
 
 #[doc(hidden)]
-pub use assemble::{Assembly, Condition, Each, Text};
+pub use assemble::{Assembly, Condition, Each, PerElement, Side, Text};
 #[doc(hidden)]
 pub use expression::{Expression, expression};
 pub use families::{Data, Definitions, Parameters, Rows, Variables};
 #[doc(hidden)]
 pub use given::Input;
 pub use input::{DataError, LabelMap, LabelPairs, LabelSubset, Labels, Table};
-pub use ix::{Domain, Element, Ix, Maybe, Near, OrderedDomain, Place, Shifted};
+pub use ix::{Domain, Element, Ix, Listed, Maybe, Near, OrderedDomain, Place, Shifted};
 #[doc(hidden)]
-pub use layout::{At, Layout};
+pub use layout::{At, Elements, Family, Filled, Layout, Made, Sparse};
 pub use pairs::{Map, Pairs};
+#[doc(hidden)]
+pub use sets::Places;
 pub use sets::{IndexSet, Indices, Members, Subset};
 pub use view::{Key, Levels, VariableLevels};
 #[doc(hidden)]

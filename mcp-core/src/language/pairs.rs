@@ -1,59 +1,75 @@
 //! [`Pairs`] and [`Map`]: sets of arcs and assignments, with incidence lists built once.
 
-use super::ix::{Domain, Element, Ix, narrow};
-use super::sets::{Indices, Members, listed};
+use super::ix::{Domain, Element, Ix, Listed, Place, narrow};
+use super::sets::{Indices, Members, Places};
 use crate::model::Set;
+use std::marker::PhantomData;
 
-/// For every element of one set, a list of indices of another.
+/// For every element of one set, a list of indices of another. Not generic, and so not compiled with
+/// every model.
 #[derive(Clone, Debug)]
-struct Incidence<S: Domain> {
+struct Incidence {
+    /// Where the list of each key begins.
     first: Vec<usize>,
-    indices: Vec<Ix<S>>,
+    /// What the indices carry.
+    numbers: Vec<u32>,
 }
 
-impl<S: Domain> Incidence<S> {
+impl Incidence {
     /// Lists the index of every position under its key, in order.
-    #[inline]
-    fn new(keys: usize, key_of: &[usize], index: impl Fn(usize) -> Ix<S>) -> Self {
-        let (first, order) = by_key(keys, key_of);
-        Incidence { first, indices: listed(order.len(), |k| index(order[k])) }
+    fn new(keys: &Set, key_of: &[usize], places: Places<'_>) -> Self {
+        let mut first = vec![0; keys.len() + 1];
+        for &key in key_of {
+            first[key + 1] += places.numbers;
+        }
+        for key in 0..keys.len() {
+            first[key + 1] += first[key];
+        }
+        let mut order: Vec<usize> = (0..key_of.len()).collect();
+        order.sort_by_key(|&position| key_of[position]);
+        Incidence { first, numbers: places.of(&order) }
     }
 
     #[inline]
-    fn of(&self, key: usize) -> std::iter::Copied<std::slice::Iter<'_, Ix<S>>> {
-        self.indices[self.first[key]..self.first[key + 1]].iter().copied()
+    fn of(&self, key: usize) -> &[u32] {
+        &self.numbers[self.first[key]..self.first[key + 1]]
     }
-}
-
-/// Where each key's positions begin, and all positions by their keys, in order. Not generic, so that
-/// a model does not compile a sort of its own for every set.
-fn by_key(keys: usize, key_of: &[usize]) -> (Vec<usize>, Vec<usize>) {
-    let mut first = vec![0; keys + 1];
-    for &key in key_of {
-        first[key + 1] += 1;
-    }
-    for key in 0..keys {
-        first[key + 1] += first[key];
-    }
-    let mut order: Vec<usize> = (0..key_of.len()).collect();
-    order.sort_by_key(|&position| key_of[position]);
-    (first, order)
-}
-
-/// Where arcs start, and where they end. Not generic, as [`by_key`].
-fn apart(ends: &[(usize, usize)]) -> (Vec<usize>, Vec<usize>) {
-    ends.iter().copied().unzip()
 }
 
 /// Arcs: a set each of whose elements goes from an element of `A` to one of `B`.
 ///
 /// In a header, `l @ (i, j) in lines` names an arc and its ends.
 #[derive(Clone, Debug)]
-pub struct Pairs<S: Domain, A: Domain, B: Domain> {
-    ends: Vec<(Ix<A>, Ix<B>)>,
-    out_of: Incidence<S>,
-    into: Incidence<S>,
+pub struct Pairs<S, A, B> {
+    network: Network,
     set: Set,
+    domains: PhantomData<(S, A, B)>,
+}
+
+/// [`Pairs`] without their types.
+#[derive(Clone, Debug)]
+struct Network {
+    /// What the indices of both ends carry, arc by arc.
+    ends: Vec<u32>,
+    out_of: Incidence,
+    into: Incidence,
+}
+
+impl Network {
+    fn new([from, to]: [(&Set, Places<'_>); 2], ends: Vec<(usize, usize)>) -> Self {
+        let (starts, stops): (Vec<usize>, Vec<usize>) = ends.into_iter().unzip();
+        let mut numbers = Vec::with_capacity(starts.len() * (from.1.numbers + to.1.numbers));
+        for (&start, &stop) in starts.iter().zip(&stops) {
+            from.1.put(start, &mut numbers);
+            to.1.put(stop, &mut numbers);
+        }
+        let arcs = Places::POSITIONS;
+        Network {
+            ends: numbers,
+            out_of: Incidence::new(from.0, &starts, arcs),
+            into: Incidence::new(to.0, &stops, arcs),
+        }
+    }
 }
 
 impl<S: Domain<Place = u32>, A: Domain, B: Domain> Pairs<S, A, B> {
@@ -64,22 +80,18 @@ impl<S: Domain<Place = u32>, A: Domain, B: Domain> Pairs<S, A, B> {
         set: Set,
         from: &impl Members<A>,
         to: &impl Members<B>,
-        ends: &[(usize, usize)],
+        ends: Vec<(usize, usize)>,
     ) -> Self {
-        let (starts, stops) = apart(ends);
-        let arc = |k| Ix::new(narrow(k));
-        let out_of = Incidence::new(from.count(), &starts, arc);
-        let into = Incidence::new(to.count(), &stops, arc);
-        let ends = listed(ends.len(), |k| (from.ix(ends[k].0), to.ix(ends[k].1)));
-        Pairs { ends, out_of, into, set }
+        let network = Network::new([(from.set(), from.places()), (to.set(), to.places())], ends);
+        Pairs { network, set, domains: PhantomData }
     }
     /// Number of arcs.
     pub fn len(&self) -> usize {
-        self.ends.len()
+        self.set.len()
     }
     /// Whether there are no arcs.
     pub fn is_empty(&self) -> bool {
-        self.ends.is_empty()
+        self.set.is_empty()
     }
     /// Label of an arc.
     pub fn label(&self, l: Ix<S>) -> String {
@@ -88,21 +100,23 @@ impl<S: Domain<Place = u32>, A: Domain, B: Domain> Pairs<S, A, B> {
     /// Where an arc starts and ends.
     #[inline]
     pub fn ends(&self, l: Ix<S>) -> (Ix<A>, Ix<B>) {
-        self.ends[l.position()]
+        let (from, to) = (A::Place::NUMBERS, B::Place::NUMBERS);
+        let first = l.position() * (from + to);
+        (Ix::at(&self.network.ends, first), Ix::at(&self.network.ends, first + from))
     }
     /// Arcs that end here.
     #[inline]
-    pub fn into(&self, node: impl Element<B>) -> std::iter::Copied<std::slice::Iter<'_, Ix<S>>> {
-        self.into.of(node.position_in())
+    pub fn into(&self, node: impl Element<B>) -> Listed<'_, S> {
+        Listed::new(self.network.into.of(node.position_in()))
     }
     /// Arcs that start here.
     #[inline]
-    pub fn out_of(&self, node: impl Element<A>) -> std::iter::Copied<std::slice::Iter<'_, Ix<S>>> {
-        self.out_of.of(node.position_in())
+    pub fn out_of(&self, node: impl Element<A>) -> Listed<'_, S> {
+        Listed::new(self.network.out_of.of(node.position_in()))
     }
     /// All arcs in order.
     pub fn iter(&self) -> Indices<S> {
-        Indices::first(self.ends.len())
+        Indices::first(self.set.len())
     }
 }
 
@@ -127,31 +141,45 @@ impl<S: Domain<Place = u32>, A: Domain, B: Domain> IntoIterator for &Pairs<S, A,
 
 /// An assignment: every element of `A` has one of `B`.
 #[derive(Clone, Debug)]
-pub struct Map<A: Domain, B: Domain> {
-    to: Vec<Ix<B>>,
-    of: Incidence<A>,
+pub struct Map<A, B> {
+    targets: Targets,
+    domains: PhantomData<(A, B)>,
+}
+
+/// [`Map`] without its types.
+#[derive(Clone, Debug)]
+struct Targets {
+    /// What the index carries that each element is sent to.
+    to: Vec<u32>,
+    of: Incidence,
+}
+
+impl Targets {
+    #[allow(clippy::needless_pass_by_value, reason = "dropped here, not in every model")]
+    fn new(from: Places<'_>, to: (&Set, Places<'_>), targets: Vec<usize>) -> Self {
+        let of = Incidence::new(to.0, &targets, from);
+        Targets { to: to.1.of(&targets), of }
+    }
 }
 
 impl<A: Domain, B: Domain> Map<A, B> {
     /// Sends element `k` of `from` to the element of `to` at position `targets[k]`.
     #[doc(hidden)]
     #[inline]
-    pub fn new(from: &impl Members<A>, to: &impl Members<B>, targets: &[usize]) -> Self {
-        Map {
-            of: Incidence::new(to.count(), targets, |k| from.ix(k)),
-            to: listed(targets.len(), |k| to.ix(targets[k])),
-        }
+    pub fn new(from: &impl Members<A>, to: &impl Members<B>, targets: Vec<usize>) -> Self {
+        let targets = Targets::new(from.places(), (to.set(), to.places()), targets);
+        Map { targets, domains: PhantomData }
     }
     /// What an element is sent to: `site[g]`.
     #[doc(hidden)]
     #[inline]
     pub fn get(&self, element: impl Element<A>) -> Ix<B> {
-        self.to[element.position_in()]
+        Ix::at(&self.targets.to, element.position_in() * B::Place::NUMBERS)
     }
     /// All elements that are sent here.
     #[inline]
-    pub fn of(&self, target: impl Element<B>) -> std::iter::Copied<std::slice::Iter<'_, Ix<A>>> {
-        self.of.of(target.position_in())
+    pub fn of(&self, target: impl Element<B>) -> Listed<'_, A> {
+        Listed::new(self.targets.of.of(target.position_in()))
     }
 }
 

@@ -7,7 +7,7 @@ type Graph = Pairs<Arcs, Nodes, Nodes>;
 /// Arcs `1`, …, between these nodes.
 fn graph(nodes: usize, ends: &[(usize, usize)]) -> Graph {
     let nodes = super::super::test_sets::nodes(nodes);
-    Pairs::new(Set::count("arcs", ends.len()), &nodes, &nodes, ends)
+    Pairs::new(Set::count("arcs", ends.len()), &nodes, &nodes, ends.to_vec())
 }
 
 fn positions<S: Domain>(indices: impl Iterator<Item = Ix<S>>) -> Vec<usize> {
@@ -51,7 +51,7 @@ fn ends_in_a_subset_are_found_by_indices_of_its_subsets() {
     let ports = ports(&towns, &[1]);
     // From towns to nodes: 3 → 0, 1 → 3, 3 → 3.
     let arcs: &Pairs<Arcs, Towns, Nodes> =
-        &Pairs::new(Set::count("arcs", 3), &towns, &nodes, &[(1, 0), (0, 3), (1, 3)]);
+        &Pairs::new(Set::count("arcs", 3), &towns, &nodes, vec![(1, 0), (0, 3), (1, 3)]);
     let port = ports.ix(0);
     assert_eq!(positions(arcs.out_of(port)), [0, 2]);
     assert_eq!(positions(arcs.into(port)), [1, 2]);
@@ -65,14 +65,14 @@ fn arcs_that_start_in_an_empty_subset_are_none() {
     let nodes = nodes(2);
     let nowhere = towns(&nodes, &[]);
     let arcs: &Pairs<Arcs, Towns, Nodes> =
-        &Pairs::new(Set::count("arcs", 0), &nowhere, &nodes, &[]);
+        &Pairs::new(Set::count("arcs", 0), &nowhere, &nodes, vec![]);
     assert!(arcs.is_empty() && nodes.iter().all(|i| arcs.into(i).next().is_none()));
 }
 
 #[test]
 fn a_map_of_an_empty_subset_sends_nothing_anywhere() {
     let nodes = nodes(2);
-    let map: Map<Towns, Nodes> = Map::new(&towns(&nodes, &[]), &nodes, &[]);
+    let map: Map<Towns, Nodes> = Map::new(&towns(&nodes, &[]), &nodes, vec![]);
     assert!(nodes.iter().all(|i| map.of(i).next().is_none()));
 }
 
@@ -80,7 +80,7 @@ fn a_map_of_an_empty_subset_sends_nothing_anywhere() {
 fn a_map_of_a_subset_hands_out_indices_of_the_larger_set_too() {
     let nodes = nodes(4);
     let towns = towns(&nodes, &[1, 3]);
-    let map: Map<Towns, Nodes> = Map::new(&towns, &nodes, &[2, 2]);
+    let map: Map<Towns, Nodes> = Map::new(&towns, &nodes, vec![2, 2]);
     let sent_here: Vec<usize> = map.of(nodes.ix(2)).map(Element::<Nodes>::position_in).collect();
     assert_eq!(sent_here, [1, 3]);
     assert_eq!(map.get(towns.ix(1)), nodes.ix(2));
@@ -115,7 +115,7 @@ proptest! {
     #[test]
     fn the_preimages_of_a_map_are_what_a_filter_gives(targets in prop::collection::vec(0_usize..5, 0..20)) {
         let (from, to) = (hours(targets.len()), nodes(5));
-        let map: Map<Hours, Nodes> = Map::new(&from, &to, &targets);
+        let map: Map<Hours, Nodes> = Map::new(&from, &to, targets.clone());
         for t in &from {
             prop_assert_eq!(map.get(t).position(), targets[t.position()]);
         }

@@ -1,6 +1,6 @@
 //! [`IndexSet`] and [`Subset`]: sets that hand out typed indices.
 
-use super::ix::{Domain, Element, Ix, OrderedDomain, narrow, signed};
+use super::ix::{Domain, Element, Ix, Listed, OrderedDomain, Place, narrow, signed};
 use crate::model::Set;
 
 /// Something whose elements are indices of `S`.
@@ -14,16 +14,56 @@ pub trait Members<S: Domain> {
     fn count(&self) -> usize {
         self.set().len()
     }
+    /// What its indices carry, without their type.
+    #[doc(hidden)]
+    #[inline]
+    fn places(&self) -> Places<'_> {
+        Places::POSITIONS
+    }
 }
 
-/// `item(0)`, …, `item(count − 1)`. Plain, since a model compiles it for each of its sets.
-#[inline]
-pub(super) fn listed<T>(count: usize, item: impl Fn(usize) -> T) -> Vec<T> {
-    let mut items = Vec::with_capacity(count);
-    for k in 0..count {
-        items.push(item(k));
+/// What the indices of a set carry: the [`Place`] of every element.
+#[doc(hidden)]
+#[derive(Clone, Copy, Debug)]
+pub struct Places<'a> {
+    /// One after the other; nothing where they are the positions.
+    listed: Option<&'a [u32]>,
+    /// How many for each element.
+    pub(super) numbers: usize,
+}
+
+impl Places<'_> {
+    /// Where an index carries its position alone.
+    pub(super) const POSITIONS: Self = Places { listed: None, numbers: 1 };
+
+    /// Appends those of the element at a position.
+    pub(super) fn put(self, position: usize, numbers: &mut Vec<u32>) {
+        match self.listed {
+            None => numbers.push(narrow(position)),
+            Some(listed) => {
+                numbers.extend_from_slice(&listed[position * self.numbers..][..self.numbers]);
+            }
+        }
     }
-    items
+
+    /// Those of the elements at these positions.
+    pub(super) fn of(self, positions: &[usize]) -> Vec<u32> {
+        let mut numbers = Vec::with_capacity(positions.len() * self.numbers);
+        for &position in positions {
+            self.put(position, &mut numbers);
+        }
+        numbers
+    }
+
+    /// Those of the elements of a subset that are at these positions.
+    fn within(self, positions: Vec<usize>) -> Vec<u32> {
+        let mut numbers = Vec::with_capacity(positions.len() * (1 + self.numbers));
+        for (k, position) in positions.into_iter().enumerate() {
+            numbers.push(narrow(k));
+            self.put(position, &mut numbers);
+        }
+        numbers
+    }
 }
 
 /// A set of labels, or a count. `for i in &set` yields its indices.
@@ -138,40 +178,47 @@ impl<S: Domain<Place = u32>> IntoIterator for &IndexSet<S> {
 /// Some elements of another set, in its order. An index of the subset is also one of the larger
 /// set.
 #[derive(Clone, Debug)]
-pub struct Subset<S: Domain> {
-    members: Vec<Ix<S>>,
+pub struct Subset<S> {
+    places: Vec<u32>,
     set: Set,
+    domain: std::marker::PhantomData<fn() -> S>,
 }
 
 impl<S: Domain<Place = (u32, Ix<P>)>, P: Domain> Subset<S> {
     /// The elements of `larger` at these positions, called as in `set`.
     #[doc(hidden)]
     #[inline]
-    pub fn new(set: Set, larger: &impl Members<P>, positions: &[usize]) -> Self {
-        let member = |k: usize| Ix::of_place((narrow(k), larger.ix(positions[k])));
-        Subset { set, members: listed(positions.len(), member) }
+    pub fn new(set: Set, larger: &impl Members<P>, positions: Vec<usize>) -> Self {
+        let places = larger.places().within(positions);
+        Subset { places, set, domain: std::marker::PhantomData }
     }
     /// Number of elements.
     pub fn len(&self) -> usize {
-        self.members.len()
+        self.set.len()
     }
     /// Whether there are no elements.
     pub fn is_empty(&self) -> bool {
-        self.members.is_empty()
+        self.set.is_empty()
     }
     /// Label of an element.
     pub fn label(&self, i: impl Element<S>) -> String {
         self.set.label(i.position_in())
     }
     /// All indices in order.
-    pub fn iter(&self) -> std::iter::Copied<std::slice::Iter<'_, Ix<S>>> {
-        self.members.iter().copied()
+    #[inline]
+    pub fn iter(&self) -> Listed<'_, S> {
+        Listed::new(&self.places)
     }
     /// Whether an element of the larger set is in the subset.
     pub fn contains(&self, i: impl Element<P>) -> bool {
         let position = i.position_in();
-        let larger = |member: &Ix<S>| member.of_larger_set().position();
-        self.members.binary_search_by_key(&position, larger).is_ok()
+        let larger = |k| Members::<S>::ix(self, k).of_larger_set().position();
+        let (mut low, mut high) = (0, self.len());
+        while low < high {
+            let middle = low.midpoint(high);
+            if larger(middle) < position { low = middle + 1 } else { high = middle }
+        }
+        low < self.len() && larger(low) == position
     }
 }
 
@@ -182,15 +229,20 @@ impl<S: Domain> Members<S> for Subset<S> {
     }
     #[inline]
     fn ix(&self, position: usize) -> Ix<S> {
-        self.members[position]
+        Ix::at(&self.places, position * S::Place::NUMBERS)
+    }
+    #[inline]
+    fn places(&self) -> Places<'_> {
+        Places { listed: Some(&self.places), numbers: S::Place::NUMBERS }
     }
 }
 
 impl<'a, S: Domain> IntoIterator for &'a Subset<S> {
     type Item = Ix<S>;
-    type IntoIter = std::iter::Copied<std::slice::Iter<'a, Ix<S>>>;
-    fn into_iter(self) -> Self::IntoIter {
-        self.members.iter().copied()
+    type IntoIter = Listed<'a, S>;
+    #[inline]
+    fn into_iter(self) -> Listed<'a, S> {
+        Listed::new(&self.places)
     }
 }
 

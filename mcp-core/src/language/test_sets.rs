@@ -65,11 +65,11 @@ pub(super) fn nodes(n: usize) -> IndexSet<Nodes> {
 /// Nodes at these positions.
 pub(super) fn towns(nodes: &IndexSet<Nodes>, positions: &[usize]) -> Subset<Towns> {
     let labels = positions.iter().map(|&position| nodes.label(nodes.ix(position)));
-    Subset::new(Set::new("towns", labels).unwrap(), nodes, positions)
+    Subset::new(Set::new("towns", labels).unwrap(), nodes, positions.to_vec())
 }
 
 /// Towns at these positions.
 pub(super) fn ports(towns: &Subset<Towns>, positions: &[usize]) -> Subset<Ports> {
     let labels = positions.iter().map(|&position| towns.label(towns.ix(position)));
-    Subset::new(Set::new("ports", labels).unwrap(), towns, positions)
+    Subset::new(Set::new("ports", labels).unwrap(), towns, positions.to_vec())
 }

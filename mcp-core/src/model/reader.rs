@@ -11,6 +11,8 @@ use std::fmt;
 /// their tangent in the moment they are read (only variables the row reads carry lanes), or a
 /// recorder that finds the pattern. A row never sees which.
 pub struct Reader<'a, D: Scalar> {
+    /// Of the source, if that is plain, and else empty.
+    point: Point<'a>,
     source: Source<'a, D>,
 }
 
@@ -20,9 +22,7 @@ enum Source<'a, D: Scalar> {
         definitions: &'a [Real<D>],
         parameters: &'a [Real<D>],
     },
-    Plain {
-        point: Point<'a>,
-    },
+    Plain,
     /// Behind a pointer, so that a row of the user's is not compiled together with it.
     Other(&'a dyn Give<D>),
 }
@@ -46,6 +46,28 @@ pub(crate) struct Point<'a> {
     pub(crate) z: &'a [f64],
     pub(crate) definitions: &'a [f64],
     pub(crate) parameters: &'a [f64],
+}
+
+/// What a row asks for.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Asked {
+    Variable,
+    Definition,
+    Parameter,
+}
+
+impl<'a> Point<'a> {
+    /// Without numbers.
+    const EMPTY: Self = Point { z: &[], definitions: &[], parameters: &[] };
+
+    #[inline]
+    fn of(&self, what: Asked) -> &'a [f64] {
+        match what {
+            Asked::Variable => self.z,
+            Asked::Definition => self.definitions,
+            Asked::Parameter => self.parameters,
+        }
+    }
 }
 
 /// Plain numbers that get their tangent in the moment they are read.
@@ -85,15 +107,15 @@ impl<'a, D: Scalar> Reader<'a, D> {
         definitions: &'a [Real<D>],
         parameters: &'a [Real<D>],
     ) -> Self {
-        Reader { source: Source::Lanes { z, definitions, parameters } }
+        Reader { point: Point::EMPTY, source: Source::Lanes { z, definitions, parameters } }
     }
 
     pub(crate) fn plain(point: Point<'a>) -> Self {
-        Reader { source: Source::Plain { point } }
+        Reader { point, source: Source::Plain }
     }
 
     pub(crate) fn other(give: &'a dyn Give<D>) -> Self {
-        Reader { source: Source::Other(give) }
+        Reader { point: Point::EMPTY, source: Source::Other(give) }
     }
 
     /// Variable number `j` among all variables.
@@ -101,7 +123,7 @@ impl<'a, D: Scalar> Reader<'a, D> {
     pub fn var(&self, j: usize) -> Real<D> {
         match &self.source {
             Source::Lanes { z, .. } => z[j],
-            Source::Plain { point } => Real(D::constant(point.z[j])),
+            Source::Plain => Real(D::constant(self.point.z[j])),
             Source::Other(give) => give.var(j),
         }
     }
@@ -111,7 +133,7 @@ impl<'a, D: Scalar> Reader<'a, D> {
     pub fn def(&self, k: usize) -> Real<D> {
         match &self.source {
             Source::Lanes { definitions, .. } => definitions[k],
-            Source::Plain { point } => Real(D::constant(point.definitions[k])),
+            Source::Plain => Real(D::constant(self.point.definitions[k])),
             Source::Other(give) => give.def(k),
         }
     }
@@ -122,61 +144,30 @@ impl<'a, D: Scalar> Reader<'a, D> {
     pub fn param(&self, k: usize) -> Real<D> {
         match &self.source {
             Source::Lanes { parameters, .. } => parameters[k],
-            Source::Plain { point } => Real(D::constant(point.parameters[k])),
+            Source::Plain => Real(D::constant(self.point.parameters[k])),
             Source::Other(give) => give.param(k),
         }
     }
 
-    /// [`var`](Self::var) for rows of `mcp!`: by a call unless it is a plain number of a point,
-    /// because every place that reads a variable would otherwise be compiled with all sources.
+    /// A number for rows of `mcp!`: by a call unless it is a plain number of a point, because every
+    /// place that reads one would otherwise be compiled with all sources.
     #[inline]
-    pub(crate) fn row_var(&self, j: usize) -> Real<D> {
+    pub(crate) fn row(&self, what: Asked, k: usize) -> Real<D> {
         if const { D::LANES == 0 }
-            && let Source::Plain { point } = &self.source
-            && let Some(&value) = point.z.get(j)
+            && let Some(&value) = self.point.of(what).get(k)
         {
             Real(D::constant(value))
         } else {
-            self.var_apart(j)
+            self.apart(what, k)
         }
     }
     #[inline(never)]
-    fn var_apart(&self, j: usize) -> Real<D> {
-        self.var(j)
-    }
-
-    /// [`def`](Self::def), likewise.
-    #[inline]
-    pub(crate) fn row_def(&self, k: usize) -> Real<D> {
-        if const { D::LANES == 0 }
-            && let Source::Plain { point } = &self.source
-            && let Some(&value) = point.definitions.get(k)
-        {
-            Real(D::constant(value))
-        } else {
-            self.def_apart(k)
+    pub(crate) fn apart(&self, what: Asked, k: usize) -> Real<D> {
+        match what {
+            Asked::Variable => self.var(k),
+            Asked::Definition => self.def(k),
+            Asked::Parameter => self.param(k),
         }
-    }
-    #[inline(never)]
-    fn def_apart(&self, k: usize) -> Real<D> {
-        self.def(k)
-    }
-
-    /// [`param`](Self::param), likewise.
-    #[inline]
-    pub(crate) fn row_param(&self, k: usize) -> Real<D> {
-        if const { D::LANES == 0 }
-            && let Source::Plain { point } = &self.source
-            && let Some(&value) = point.parameters.get(k)
-        {
-            Real(D::constant(value))
-        } else {
-            self.param_apart(k)
-        }
-    }
-    #[inline(never)]
-    fn param_apart(&self, k: usize) -> Real<D> {
-        self.param(k)
     }
 
     /// The first `N` variables at once.
@@ -184,8 +175,8 @@ impl<'a, D: Scalar> Reader<'a, D> {
     pub fn first<const N: usize>(&self) -> [Real<D>; N] {
         match &self.source {
             Source::Lanes { z, .. } if z.len() >= N => from_fn(|j| z[j]),
-            Source::Plain { point } if point.z.len() >= N => {
-                from_fn(|j| Real(D::constant(point.z[j])))
+            Source::Plain if self.point.z.len() >= N => {
+                from_fn(|j| Real(D::constant(self.point.z[j])))
             }
             _ => from_fn(|j| self.var(j)),
         }

@@ -45,7 +45,7 @@ impl<const N: usize, T: Scalar> Jet<N, T> {
     /// Apart, as all that corners need: it would be compiled wherever a model computes.
     #[cold]
     #[inline(never)]
-    fn chain_at_corner(self, v: T, slope: T) -> Self {
+    pub(crate) fn chain_at_corner(self, v: T, slope: T) -> Self {
         Jet { v, d: lanes(|k| tangent_product(self.d[k], slope)) }
     }
 
@@ -60,7 +60,7 @@ impl<const N: usize, T: Scalar> Jet<N, T> {
     }
     #[cold]
     #[inline(never)]
-    fn chain2_at_corner(self, other: Self, v: T, fx: T, fy: T) -> Self {
+    pub(crate) fn chain2_at_corner(self, other: Self, v: T, fx: T, fy: T) -> Self {
         let d = lanes(|k| tangent_product(self.d[k], fx) + tangent_product(other.d[k], fy));
         Jet { v, d }
     }
@@ -68,19 +68,19 @@ impl<const N: usize, T: Scalar> Jet<N, T> {
     /// `(a/b)'` where `a/b` or `1/b` is not finite.
     #[cold]
     #[inline(never)]
-    fn quotient_at_corner(self, other: Self, v: T) -> Self {
+    pub(crate) fn quotient_at_corner(self, other: Self, v: T) -> Self {
         let quotient = |a: T| if a.is_zero() { a } else { a / other.v };
         Jet { v, d: lanes(|k| quotient(self.d[k] - tangent_product(other.d[k], v))) }
     }
     /// `c f` with `c f = v`, where `c` is 0 or not finite.
     #[inline(never)]
-    fn scale_at_corner(self, v: T, c: f64) -> Self {
+    pub(crate) fn scale_at_corner(self, v: T, c: f64) -> Self {
         if c == 0.0 { Jet { v, d: [T::constant(0.0); N] } } else { self.chain(v, T::constant(c)) }
     }
     /// NaN, which the larger and the smaller of two numbers are if one is.
     #[cold]
     #[inline(never)]
-    fn unknown(self, other: Self, v: T) -> Self {
+    pub(crate) fn unknown(self, other: Self, v: T) -> Self {
         self.chain2(other, v, v, v)
     }
 }

@@ -112,6 +112,7 @@
 //! hide the other arm from the derivative and the pattern. Use the declared kinks; branches on data
 //! are free.
 
+mod behind_calls;
 mod count;
 mod external;
 mod functions;
@@ -128,6 +129,7 @@ mod trace;
 mod undecided;
 mod wide;
 
+pub(crate) use behind_calls::behind_calls;
 pub use count::{Counted, OperationCounts, Tally};
 pub use external::external;
 pub(crate) use functions::absent;

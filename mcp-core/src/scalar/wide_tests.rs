@@ -1,4 +1,5 @@
 use super::*;
+use crate::scalar::Scalar;
 
 const NUMBERS: [f64; 12] = [
     0.0,

@@ -4,6 +4,7 @@ use super::super::ast::{Field, FieldKind, Index, Param};
 use super::super::names::{is_number, is_type};
 use super::super::rewrite::wrapping;
 use super::families::text;
+use super::items::Family;
 use super::{Expansion, label};
 use proc_macro2::{Ident, Span, TokenStream, TokenTree};
 use quote::{format_ident, quote_spanned};
@@ -33,9 +34,11 @@ impl<'m> Expansion<'m> {
         let tables = tables.into_iter().map(|field| {
             let (name, text, number) = (&field.name, label(&field.name), self.number_of(field));
             let sets = &field.over;
-            code!(#model.#name.0.set(#assembly.table(
-                #number, #text, &[#(::mcp_core::language::Members::set(&#model.#sets)),*],
-            ));)
+            code! {
+                #assembly
+                    .table(#number, #text, &[#(::mcp_core::language::Members::set(&#model.#sets)),*])
+                    .fill(&mut #model.#name.0);
+            }
         });
         let data = data.into_iter().map(|field| self.resolve(field, &assembly));
         let fields = self.model.fields.iter().map(|field| {
@@ -54,12 +57,12 @@ impl<'m> Expansion<'m> {
         let defs = self.definitions().map(|def| {
             let (name, text) = (&def.name, text(&label(&def.name), &def.attributes));
             let sets = Self::sets_of(&def.over);
-            code!(#model.#name.0.set(#assembly.definition(#text, #sets));)
+            code!(#assembly.definition(#text, #sets).fill(&mut #model.#name.0);)
         });
         let reports = self.model.reports.iter().map(|report| {
             let (name, text) = (&report.name, text(&label(&report.name), &report.attributes));
             let sets = Self::sets_of(&report.over);
-            code!(#model.#name.0.set(#assembly.report(#text, #sets));)
+            code!(#assembly.report(#text, #sets).fill(&mut #model.#name.0);)
         });
         let eqs = self.model.eqs.iter().map(|eq| self.equation(eq, &assembly));
         let lifted_eqs = self.lifted().map(|def| Self::lifted_rows(def, &assembly));
@@ -128,7 +131,7 @@ impl<'m> Expansion<'m> {
                 let (set, larger) = (members(larger), resolved(larger));
                 code!({
                     let (set, positions) = #assembly.subset(#number, #text, #set);
-                    ::mcp_core::language::Subset::new(set, &#larger, &positions)
+                    ::mcp_core::language::Subset::new(set, &#larger, positions)
                 })
             }
             FieldKind::Pairs(from, to) => {
@@ -136,7 +139,7 @@ impl<'m> Expansion<'m> {
                 let (from, to) = (resolved(from), resolved(to));
                 code!({
                     let (set, ends) = #assembly.pairs(#number, #text, [#from_set, #to_set]);
-                    ::mcp_core::language::Pairs::new(set, &#from, &#to, &ends)
+                    ::mcp_core::language::Pairs::new(set, &#from, &#to, ends)
                 })
             }
             FieldKind::Map(from, to) => {
@@ -144,7 +147,7 @@ impl<'m> Expansion<'m> {
                 let (from, to) = (resolved(from), resolved(to));
                 code!({
                     let targets = #assembly.map(#number, #text, [#from_set, #to_set]);
-                    ::mcp_core::language::Map::new(&#from, &#to, &targets)
+                    ::mcp_core::language::Map::new(&#from, &#to, targets)
                 })
             }
             // Read into the model.
@@ -170,7 +173,7 @@ impl<'m> Expansion<'m> {
     }
 
     fn empty_families(&self) -> TokenStream {
-        let families = self.families().map(|(name, kind, _)| {
+        let families = self.families().map(|Family { name, kind, .. }| {
             let kind = format_ident!("{kind}");
             code!(#name: ::mcp_core::language::#kind::EMPTY,)
         });
@@ -188,7 +191,9 @@ impl<'m> Expansion<'m> {
                 code!(::core::option::Option::Some(#value))
             }
         };
-        code!(#model.#name.0.set(#assembly.parameter(#number, #text, #sets, #values));)
+        code! {
+            #assembly.parameter(#number, #text, #sets, #values).fill(&mut #model.#name.0);
+        }
     }
 
     /// The number under which a field is given.
@@ -200,7 +205,7 @@ impl<'m> Expansion<'m> {
     pub(super) fn each(&self, over: &[Index], value: &TokenStream) -> TokenStream {
         let number = self.number(value);
         if is_literal(value) {
-            return code!(&mut |_| #number);
+            return code!(&|_: &::mcp_core::language::At| #number);
         }
         let offered = self.offered_data();
         Self::at_each(over, &code!(#offered #number))
@@ -232,7 +237,7 @@ impl<'m> Expansion<'m> {
 }
 
 /// Whether this is one literal, which reads no index.
-fn is_literal(value: &TokenStream) -> bool {
+pub(super) fn is_literal(value: &TokenStream) -> bool {
     let mut tokens = value.clone().into_iter();
     matches!((tokens.next(), tokens.next()), (Some(TokenTree::Literal(_)), None))
 }

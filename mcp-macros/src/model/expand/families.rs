@@ -1,6 +1,7 @@
 //! Families: laid out, and declared in the shape with their bounds, starts and pairs.
 
 use super::super::ast::{Bounds, Def, Eq, Fix, Index, Place, Var};
+use super::build::is_literal;
 use super::{Expansion, description, label};
 use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, format_ident};
@@ -26,16 +27,23 @@ impl Expansion<'_> {
             Bounds::Upper(upper) => (None, Some(upper)),
             Bounds::Box(lower, upper) => (Some(lower), Some(upper)),
         };
-        let values = [("lower", lower), ("upper", upper), ("start", var.start.as_ref())];
-        let values = values.into_iter().filter_map(|(method, value)| {
-            let (method, value) = (format_ident!("{method}"), self.each(&var.over, value?));
-            Some(code!(#assembly.#method(&#model.#name.0, #value);))
+        let values = [("Lower", lower), ("Upper", upper), ("Start", var.start.as_ref())];
+        let values = values.into_iter().filter_map(|(side, value)| {
+            let (side, value) = (format_ident!("{side}"), value?);
+            let side = code!(::mcp_core::language::Side::#side);
+            Some(if is_literal(value) {
+                let number = self.number(value);
+                code!(#assembly.constant(#side, #number);)
+            } else {
+                let value = self.each(&var.over, value);
+                code!(#assembly.values(#side, #value);)
+            })
         });
         let fixes = self.model.fixes.iter().filter(|fix| fix.variable == var.name);
         let fixes = fixes.map(|fix| self.fix(fix, assembly));
         let text = text(&label(name), &var.attributes);
         code! {
-            #model.#name.0.set(#assembly.variables(#text, #sets, #condition));
+            #assembly.variables(#text, #sets, #condition).fill(&mut #model.#name.0);
             #(#values)*
             #(#fixes)*
         }
@@ -62,7 +70,9 @@ impl Expansion<'_> {
         let (name, sets) = (&def.name, Self::sets_of(&def.over));
         let text = text(&label(name), &def.attributes);
         code! {
-            #model.#name.0.set(#assembly.variables(#text, #sets, ::core::option::Option::None));
+            #assembly
+                .variables(#text, #sets, ::core::option::Option::None)
+                .fill(&mut #model.#name.0);
         }
     }
 
@@ -85,15 +95,22 @@ impl Expansion<'_> {
         let at_each = Self::at_each(&eq.over, &body);
         let declared = text(&label(name), &eq.attributes);
         if self.is_paired_in_order(eq) {
+            let like = if self.has_condition(variable) {
+                code!(::core::option::Option::Some(&#model.#variable.0))
+            } else {
+                code!(::core::option::Option::None)
+            };
             return code! {
-                #model.#name.0.set(
-                    #assembly.equation_like(#declared, #sets, #paired, &#model.#variable.0),
-                );
+                #assembly
+                    .equation_like(#declared, #sets, #paired, #like)
+                    .fill(&mut #model.#name.0);
                 #[cfg(rust_analyzer)]
                 #assembly.equation(#declared, #sets, #paired, #at_each);
             };
         }
-        code!(#model.#name.0.set(#assembly.equation(#declared, #sets, #paired, #at_each));)
+        code! {
+            #assembly.equation(#declared, #sets, #paired, #at_each).fill(&mut #model.#name.0);
+        }
     }
 
     /// Whether an equation without condition has the sets of its variable, and each combination is
@@ -114,7 +131,7 @@ impl Expansion<'_> {
         let rows = Self::rows_of_lifted(def);
         let (sets, paired) = (Self::sets_of(&def.over), label(&def.name));
         let declared = text(&Self::lifted_equation(def), &def.attributes);
-        code!(#model.#rows.0.set(#assembly.lifted(#declared, #sets, #paired));)
+        code!(#assembly.lifted(#declared, #sets, #paired).fill(&mut #model.#rows.0);)
     }
 }
 

@@ -1,11 +1,21 @@
 //! The struct of the model, and its methods.
 
-use super::super::ast::{Field, FieldKind, Index};
+use super::super::ast::{Eq, Field, FieldKind, Index};
 use super::super::names::is_number;
 use super::{Expansion, description};
 use proc_macro2::{Ident, TokenStream};
 use quote::format_ident;
 use syn::Attribute;
+
+/// A family as a field of the struct.
+pub(super) struct Family<'m> {
+    pub(super) name: Ident,
+    /// Its type in `mcp_core::language`.
+    pub(super) kind: &'static str,
+    pub(super) over: &'m [Index],
+    /// Whether some combinations may have no element.
+    pub(super) is_sparse: bool,
+}
 
 impl Expansion<'_> {
     /// Name of the builder.
@@ -36,9 +46,10 @@ impl Expansion<'_> {
             };
             fields.into_iter().map(field).collect::<TokenStream>()
         });
-        let families = self.families().map(|(name, kind, over)| {
+        let families = self.families().map(|Family { name, kind, over, is_sparse }| {
             let (kind, sets) = (format_ident!("{kind}"), self.header(over));
-            code!(#name: ::mcp_core::language::#kind<#sets>,)
+            let sparse = is_sparse.then(|| code!(::mcp_core::language::Sparse));
+            code!(#name: ::mcp_core::language::#kind<#sets, #sparse>,)
         });
         let contents = self.contents();
         code! {
@@ -68,17 +79,33 @@ impl Expansion<'_> {
         }
     }
 
-    /// All families: field, type and header.
-    pub(super) fn families(&self) -> impl Iterator<Item = (Ident, &'static str, &[Index])> {
+    /// All families.
+    pub(super) fn families(&self) -> impl Iterator<Item = Family<'_>> {
         let model = self.model;
-        let params = model.params.iter().map(|p| (p.name.clone(), "Parameters", &p.over[..]));
-        let vars = model.vars.iter().map(|v| (v.name.clone(), "Variables", &v.over[..]));
-        let lifted = self.lifted().map(|d| (d.name.clone(), "Variables", &d.over[..]));
-        let rows = self.lifted().map(|d| (Self::rows_of_lifted(d), "Rows", &d.over[..]));
-        let defs = self.definitions().map(|d| (d.name.clone(), "Definitions", &d.over[..]));
-        let eqs = model.eqs.iter().map(|e| (e.name.clone(), "Rows", &e.over[..]));
-        let reports = model.reports.iter().map(|r| (r.name.clone(), "Rows", &r.over[..]));
+        let family = |name: &Ident, kind, over, is_sparse| {
+            let name = name.clone();
+            Family { name, kind, over, is_sparse }
+        };
+        let all = move |name: &Ident, kind, over| family(name, kind, over, false);
+        let params = model.params.iter().map(move |p| all(&p.name, "Parameters", &p.over[..]));
+        let vars = model.vars.iter();
+        let vars = vars.map(move |v| family(&v.name, "Variables", &v.over, v.condition.is_some()));
+        let lifted = self.lifted().map(move |d| all(&d.name, "Variables", &d.over));
+        let rows = self.lifted().map(move |d| all(&Self::rows_of_lifted(d), "Rows", &d.over));
+        let defs = self.definitions().map(move |d| all(&d.name, "Definitions", &d.over));
+        let eqs = model.eqs.iter();
+        let eqs = eqs.map(move |e| family(&e.name, "Rows", &e.over, self.may_lack_rows(e)));
+        let reports = model.reports.iter().map(move |r| all(&r.name, "Rows", &r.over));
         params.chain(vars).chain(lifted).chain(rows).chain(defs).chain(eqs).chain(reports)
+    }
+
+    /// Whether an equation has no row for some combinations, or its variable no element.
+    fn may_lack_rows(&self, eq: &Eq) -> bool {
+        eq.condition.is_some() || self.has_condition(&eq.variable)
+    }
+    /// Whether a variable family has a condition.
+    pub(super) fn has_condition(&self, variable: &Ident) -> bool {
+        self.model.vars.iter().any(|var| var.name == *variable && var.condition.is_some())
     }
 
     /// What the model consists of, for its documentation.

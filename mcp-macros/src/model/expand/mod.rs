@@ -177,7 +177,7 @@ impl<'m> Expansion<'m> {
         code!(&[#(::mcp_core::language::Members::set(&#model.#sets)),*])
     }
 
-    /// `&mut |at| …`: what is computed for a combination of a header, given by positions.
+    /// `&|at| …`: what is computed for a combination of a header, given by positions.
     fn at_each<'i>(over: impl IntoIterator<Item = &'i Index>, body: &TokenStream) -> TokenStream {
         let [model, at] = ["model", "at"].map(Self::local);
         let indices = over.into_iter().enumerate().map(|(k, index)| {
@@ -186,7 +186,7 @@ impl<'m> Expansion<'m> {
             let all = quote_spanned!(Span::mixed_site().located_at(set.span())=> &#model.#set);
             code!(let #name = ::mcp_core::language::Members::ix(#all, #at[#k]); #ends)
         });
-        code!(&mut |#at| {
+        code!(&|#at: &::mcp_core::language::At| {
             let #model = &#model;
             #(#indices)*
             #body

@@ -80,6 +80,7 @@ impl Expansion<'_> {
                 /// # Errors
                 /// `ModelError::Length` or `ModelError::OtherModel` for a solution of a model with other
                 /// variables or sets.
+                #[inline(never)]
                 #visibility fn view(
                     &self,
                     solution: &::mcp_core::Solution,
