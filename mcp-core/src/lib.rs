@@ -53,11 +53,15 @@
 //! | \[DFK96\] | T. De Luca, F. Facchinei, C. Kanzow (1996), A semismooth equation approach to the solution of nonlinear complementarity problems. Math. Prog. 75 |
 //! | \[DM02\] | E. D. Dolan, J. J. Moré (2002), Benchmarking optimization software with performance profiles. Math. Prog. 91 |
 //! | \[Fat79\] | Y. Fathi (1979), Computational complexity of LCPs associated with positive definite symmetric matrices. Math. Prog. 17 |
+//! | \[FFG99\] | M. C. Ferris, R. Fourer, D. M. Gay (1999), Expressing complementarity problems in an algebraic modeling language and communicating them to solvers. SIAM J. Optim. 9 |
 //! | \[Fis92\] | A. Fischer (1992), A special Newton-type optimization method. Optimization 24 |
 //! | \[FKM99\] | M. C. Ferris, C. Kanzow, T. S. Munson (1999), Feasible descent algorithms for mixed complementarity problems. Math. Prog. 86 |
 //! | \[FP03\] | F. Facchinei, J.-S. Pang (2003), Finite-Dimensional Variational Inequalities and Complementarity Problems. Springer |
+//! | \[Gay05\] | D. M. Gay (2005), Writing .nl files. Sandia National Laboratories SAND2005-7907P |
+//! | \[Gay97\] | D. M. Gay (1997), Hooking your solver to AMPL. Bell Laboratories Technical Report 97-4-06 |
 //! | \[GLL86\] | L. Grippo, F. Lampariello, S. Lucidi (1986), A nonmonotone line search technique for Newton's method. SIAM J. Numer. Anal. 23 |
 //! | \[GV13\] | G. H. Golub, C. F. Van Loan (2013), Matrix Computations, 4th ed. Johns Hopkins |
+//! | \[HK73\] | J. E. Hopcroft, R. M. Karp (1973), An n^(5/2) algorithm for maximum matchings in bipartite graphs. SIAM J. Comput. 2 |
 //! | \[HS81\] | W. Hock, K. Schittkowski (1981), Test Examples for Nonlinear Programming Codes. Springer |
 //! | \[Jos79\] | N. H. Josephy (1979), Newton's method for generalized equations. MRC Technical Summary Report 1965, Wisconsin |
 //! | \[Kan96\] | C. Kanzow (1996), Some noninterior continuation methods for linear complementarity problems. SIAM J. Matrix Anal. Appl. 17 |

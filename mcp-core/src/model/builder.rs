@@ -16,6 +16,25 @@ macro_rules! describe {
                 self.family.over(sets);
                 self
             }
+            /// One for each label of this set, called by the label alone: `x['a']`, not
+            /// `family['a']`. For names that come from elsewhere, such as a file.
+            ///
+            /// ```
+            /// # use mcp_core::{Equation, Set, Shape, Variable};
+            /// let columns = Set::new("columns", ["x['a','b']", "price"])?;
+            /// let shape = Shape::builder()
+            ///     .variable(Variable::new("column").labelled(&columns).lower(0.0))
+            ///     .equation(Equation::new("row").over(&[&columns]).complements("column"))
+            ///     .build()?;
+            /// assert_eq!(shape.variable_name(0), "x['a','b']");
+            /// assert_eq!(shape.variable_index("price")?, 1);
+            /// # Ok::<(), mcp_core::ModelError>(())
+            /// ```
+            #[must_use]
+            pub fn labelled(mut self, set: &Set) -> Self {
+                self.family.labelled(set);
+                self
+            }
             /// Only these combinations of the elements of the sets, in increasing order, each
             /// counted from 0 with the last index fastest; the others do not exist. Lists of
             /// values then have one entry for each of these. See

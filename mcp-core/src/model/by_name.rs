@@ -1,7 +1,6 @@
 //! Variables, bounds and starts by name: `x[seattle, topeka]` for one, `x` for all of a family.
 
 use super::builder::name_among;
-use super::shape::find;
 use super::{Family, Set, Shape};
 use crate::error::{ModelError, nearest};
 use std::ops::Range;
@@ -141,15 +140,31 @@ fn split_name<'f, 'n>(
     families: &'f [Family],
     name: &'n str,
 ) -> Result<(&'f Family, Option<&'n str>), ModelError> {
-    // A family of one may have brackets in its own name.
+    // A family of one may have brackets in its own name, and so may a label.
     if let Some(family) = families.iter().find(|family| family.name() == name) {
         return Ok((family, None));
+    }
+    let mut labelled = families.iter().filter(|family| family.is_labelled);
+    if let Some(family) = labelled.find(|family| family.sets()[0].find(name).is_some()) {
+        return Ok((family, Some(name)));
     }
     let (head, labels) = match name.strip_suffix(']').and_then(|rest| rest.split_once('[')) {
         Some((head, labels)) => (head, Some(labels)),
         None => (name, None),
     };
-    Ok((find(kind, families, head.trim())?, labels))
+    let family = families.iter().find(|family| family.name() == head.trim());
+    family.map(|family| (family, labels)).ok_or_else(|| unknown(kind, families, name, head))
+}
+
+/// Nothing is called `name`: the nearest family of that `head`, or the nearest label that is a name.
+fn unknown(kind: &'static str, families: &[Family], name: &str, head: &str) -> ModelError {
+    let labelled = families.iter().filter(|family| family.is_labelled);
+    let labels: Vec<String> = labelled.flat_map(|family| family.sets()[0].labels()).collect();
+    if let Some(near) = nearest(name, labels.iter().map(String::as_str)) {
+        return ModelError::UnknownName { kind, name: name.to_owned(), nearest: Some(near) };
+    }
+    let nearest = nearest(head.trim(), families.iter().map(Family::name));
+    ModelError::UnknownName { kind, name: head.trim().to_owned(), nearest }
 }
 
 impl Family {
@@ -182,6 +197,9 @@ impl Family {
 
 /// Position of the element with these labels, `a, b`, in its family.
 fn index_in(kind: &'static str, family: &Family, labels: &str) -> Result<usize, ModelError> {
+    if family.is_labelled {
+        return family.index_of(&[labels]);
+    }
     let given: Vec<&str> = if labels.is_empty() { Vec::new() } else { labels.split(',').collect() };
     if given.len() == family.sets().len() {
         return family.index_of(&given);
@@ -278,6 +296,27 @@ pub(super) mod tests {
         assert!(crossed.starts_with("variable `x[seattle, chicago]` has crossed bounds"));
         assert!(shape.fix("p", f64::NAN).is_err());
         assert_eq!(shape.bounds().upper()[1], 3.0, "nothing changes on error");
+    }
+
+    #[test]
+    fn labels_of_a_labelled_family_are_names() {
+        let columns = Set::new("columns", ["x['a','b']", "x['a','c']", "price"]).unwrap();
+        let mut shape = Shape::builder()
+            .variable(Variable::new("column").labelled(&columns))
+            .equation(Equation::new("row").over(&[&columns]).complements("column"))
+            .build()
+            .unwrap();
+        for j in 0..3 {
+            assert_eq!(shape.variable_index(&shape.variable_name(j)), Ok(j));
+        }
+        shape.set_lower("x['a','c']", 1.0).unwrap();
+        shape.set_upper("column", 5.0).unwrap();
+        assert_eq!(shape.bounds().lower()[1], 1.0);
+        assert_eq!(shape.bounds().upper(), [5.0; 3]);
+        let error = shape.variable_index("prise").unwrap_err();
+        assert_eq!(error.to_string(), "there is no variable `prise`; did you mean `price`?");
+        let error = shape.variable_index("quantity").unwrap_err();
+        assert_eq!(error.to_string(), "there is no variable `quantity`");
     }
 
     #[test]

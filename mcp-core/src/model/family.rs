@@ -57,6 +57,8 @@ pub struct Family {
     pub(super) combinations: usize,
     /// The combinations that exist, increasing; `None` if all do.
     pub(super) elements: Option<Arc<[usize]>>,
+    /// Whether an element is called by its label alone.
+    pub(super) is_labelled: bool,
     pub(super) about: String,
     pub(super) unit: String,
 }
@@ -64,8 +66,9 @@ pub struct Family {
 impl Family {
     pub(super) fn new(name: String) -> Self {
         let (about, unit) = (String::new(), String::new());
-        let (sets, elements) = (Vec::new(), None);
-        Family { name, sets, offset: 0, len: 1, combinations: 1, elements, about, unit }
+        let (sets, elements, is_labelled) = (Vec::new(), None, false);
+        let (offset, len, combinations) = (0, 1, 1);
+        Family { name, sets, offset, len, combinations, elements, is_labelled, about, unit }
     }
 
     /// The family of element `k` of all elements of the families, and its index there.
@@ -92,6 +95,11 @@ impl Family {
         self.combinations =
             self.sets.iter().fold(1, |product: usize, set| product.saturating_mul(set.len()));
         self.count();
+    }
+
+    pub(super) fn labelled(&mut self, set: &Set) {
+        self.over(&[set]);
+        self.is_labelled = true;
     }
 
     pub(super) fn only(&mut self, elements: Vec<usize>) {
@@ -197,7 +205,8 @@ impl Family {
         &self.unit
     }
 
-    /// Name of element `index` of the family, such as `x[seattle, topeka]`, made on demand.
+    /// Name of element `index` of the family, such as `x[seattle, topeka]`, made on demand; in a
+    /// [labelled](crate::Variable::labelled) family the label.
     ///
     /// # Panics
     /// If the family is sparse and has no element `index`.
@@ -209,6 +218,9 @@ impl Family {
     pub(super) fn combination_name(&self, k: usize) -> String {
         if self.sets.is_empty() {
             return self.name.clone();
+        }
+        if self.is_labelled {
+            return self.sets[0].label(k);
         }
         format!("{}[{}]", self.name, self.labels_of_combination(k).join(", "))
     }
@@ -330,6 +342,15 @@ mod tests {
         let mut none = sparse(&[]);
         none.check_elements().unwrap();
         assert!(none.is_empty() && none.is_sparse() && none.position(0).is_none());
+    }
+
+    #[test]
+    fn elements_of_a_labelled_family_are_called_as_their_labels() {
+        let columns = Set::new("columns", ["x['a','b']", "p"]).unwrap();
+        let mut family = Family::new("column".to_owned());
+        family.labelled(&columns);
+        family.only(vec![1]);
+        assert_eq!((family.len(), family.element_name(0)), (1, "p".to_owned()));
     }
 
     #[test]
