@@ -225,16 +225,13 @@ impl fmt::Debug for ModelError {
     }
 }
 
-/// The end of a sentence about a name that nothing has.
-pub(crate) fn did_you_mean(nearest: Option<&str>) -> String {
+/// The end of a sentence about a name that nothing has: `` ; did you mean `price`? ``, or nothing.
+pub fn did_you_mean(nearest: Option<&str>) -> String {
     nearest.map(|name| format!("; did you mean `{name}`?")).unwrap_or_default()
 }
 
 /// The candidate nearest to `name` in edit distance, if at most a third of its letters differ.
-pub(crate) fn nearest<'a>(
-    name: &str,
-    candidates: impl IntoIterator<Item = &'a str>,
-) -> Option<String> {
+pub fn nearest<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<String> {
     let limit = name.chars().count().div_ceil(3).max(1);
     candidates
         .into_iter()

@@ -104,7 +104,7 @@ pub mod study;
 #[cfg(feature = "testing")]
 pub mod testing;
 
-pub use certify::{Accuracy, Degeneracy, Proof, Refusal, Weakest, certify};
+pub use certify::{Accuracy, Degeneracy, Infeasible, Proof, Refusal, Weakest, certify, infeasible};
 pub use error::ModelError;
 pub use globalise::{Armijo, Nonmonotone, Stall};
 pub use linalg::{Linear, LinearError, LinearSolver};

@@ -42,6 +42,7 @@
 
 mod accuracy;
 mod boxes;
+mod infeasible;
 mod krawczyk;
 mod pairs;
 mod regularity;
@@ -49,6 +50,7 @@ mod regularity;
 mod tests;
 
 pub use accuracy::{Accuracy, Degeneracy, Proof, Refusal, Weakest};
+pub use infeasible::{Infeasible, infeasible};
 
 use crate::error::ModelError;
 use crate::model::{Model, Shape};

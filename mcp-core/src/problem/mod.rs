@@ -17,6 +17,7 @@ mod counting;
 mod derivative_check;
 mod derived;
 mod lanes;
+mod operations;
 mod pattern;
 mod record;
 mod rows;

@@ -8,6 +8,7 @@ use super::format::{exact, special};
 use super::{DerivedRow, Fault, Report, ReportError, SIGN_CONVENTION, Statistics};
 use crate::solver::{Direction, Stage, Stats};
 use serde::ser::{Serialize, SerializeSeq, Serializer};
+use std::fmt;
 use std::io::{BufWriter, Write};
 
 /// Columns of the solution table.
@@ -156,8 +157,23 @@ pub(super) fn number<S: Serializer>(x: &f64, serializer: S) -> Result<S::Ok, S::
     }
 }
 
-/// A number that serialises as [`number`].
-struct Number(f64);
+/// A number as the files of this module have it. `Display`: every digit, `inf`, `-inf`, `NaN`, zeros
+/// without sign; `Serialize`: a number, or one of these words.
+///
+/// ```
+/// use mcp_core::report::Number;
+/// let numbers = [Number(0.1), Number(-0.0), Number(f64::INFINITY)];
+/// assert_eq!(serde_json::to_string(&numbers).unwrap(), r#"[0.1,0.0,"inf"]"#);
+/// assert_eq!(Number(1e-30).to_string(), "1e-30");
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Number(pub f64);
+
+impl fmt::Display for Number {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(&exact(self.0))
+    }
+}
 
 impl Serialize for Number {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {

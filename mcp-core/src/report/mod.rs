@@ -36,6 +36,8 @@ mod text;
 mod samples;
 
 pub use derived::{DerivedKind, DerivedRow};
+#[cfg(feature = "serde")]
+pub use export::Number;
 pub use log::{IterationLog, IterationRecord};
 pub use outcome::{Fault, Report};
 pub use rows::{ReportRow, State};
