@@ -9,12 +9,12 @@ use crate::exit::Outcome;
 use crate::files;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use line::Line;
-use mcp_core::Options;
+use mcp_core::{Options, batch};
 use std::collections::BTreeMap;
 use std::io::{IsTerminal, Write};
 use std::num::NonZero;
 use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc;
 use std::time::Instant;
 use table::Table;
@@ -87,29 +87,32 @@ fn in_order(
     jobs: usize,
     mut show: impl FnMut(Line) -> bool,
 ) {
-    let next = &AtomicUsize::new(0);
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(jobs).build();
+    let has_enough = &AtomicBool::new(false);
     std::thread::scope(|scope| {
         let (send, receive) = mpsc::channel();
-        for _ in 0..jobs {
-            let send = send.clone();
-            scope.spawn(move || {
-                loop {
-                    let k = next.fetch_add(1, Ordering::Relaxed);
-                    let Some(path) = models.get(k) else { break };
-                    if send.send((k, Line::of(path, options))).is_err() {
-                        break;
-                    }
+        scope.spawn(move || {
+            let solve = |(k, path): &(usize, &PathBuf)| {
+                // Nobody listens any more once the reader has enough.
+                if !has_enough.load(Ordering::Relaxed) {
+                    let _ = send.send((*k, Line::of(path, options)));
                 }
-            });
-        }
-        drop(send);
+            };
+            let models: Vec<_> = models.iter().enumerate().collect();
+            let all = || batch(&models, || (), |(), model| solve(model));
+            match pool {
+                Ok(pool) => pool.install(all),
+                // No threads of its own: those there are.
+                Err(_) => all(),
+            }
+        });
         let (mut waiting, mut shown) = (BTreeMap::new(), 0);
         for (k, line) in receive {
             waiting.insert(k, line);
             while let Some(line) = waiting.remove(&shown) {
                 shown += 1;
                 if !show(line) {
-                    next.store(models.len(), Ordering::Relaxed);
+                    has_enough.store(true, Ordering::Relaxed);
                     return;
                 }
             }

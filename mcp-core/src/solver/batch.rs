@@ -1,18 +1,15 @@
 //! Many problems at once, over the threads of the current [`rayon`] pool.
 //!
-//! Every thread takes the next few items that nobody has taken and keeps its own workspace for all
-//! of them, so that memory does not grow with the number of items. No solve is split, and what a
-//! solve returns does not depend on the solves before it: the answers are those of one solve after
-//! another, bit for bit, in the order of the items.
+//! Every thread takes the next item that nobody has taken and keeps its own workspace for all of
+//! them, so that memory does not grow with the number of items. No solve is split, and what a solve
+//! returns does not depend on the solves before it: the answers are those of one solve after another,
+//! bit for bit, in the order of the items.
 
 use super::{Options, Solution, Solver};
 use crate::error::ModelError;
 use crate::model::Model;
 use crate::problem::AdProblem;
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
-
-/// Items are taken in runs of at most this many, so that threads seldom meet.
-const LONGEST_RUN: usize = 64;
 
 /// Solves every model from its own start, with one [`Solver`] a thread. Feature `rayon`.
 ///
@@ -91,24 +88,18 @@ pub fn batch<T: Sync, S, R: Send>(
     workspace: impl Fn() -> S + Sync,
     work: impl Fn(&mut S, &T) -> R + Sync,
 ) -> Vec<R> {
-    let run = (items.len() / (8 * rayon::current_num_threads())).clamp(1, LONGEST_RUN);
     let next = AtomicUsize::new(0);
     let shares = rayon::broadcast(|_| {
-        let mut own = None;
-        let mut share = Vec::new();
+        let (mut own, mut share) = (None, Vec::new());
         loop {
-            let first = next.fetch_add(run, Relaxed).min(items.len());
-            let taken = &items[first..items.len().min(first + run)];
-            if taken.is_empty() {
-                return share;
-            }
-            let own = own.get_or_insert_with(&workspace);
-            share.push((first, taken.iter().map(|item| work(own, item)).collect::<Vec<R>>()));
+            let k = next.fetch_add(1, Relaxed);
+            let Some(item) = items.get(k) else { return share };
+            share.push((k, work(own.get_or_insert_with(&workspace), item)));
         }
     });
-    let mut runs: Vec<(usize, Vec<R>)> = shares.into_iter().flatten().collect();
-    runs.sort_unstable_by_key(|(first, _)| *first);
-    runs.into_iter().flat_map(|(_, results)| results).collect()
+    let mut results: Vec<(usize, R)> = shares.into_iter().flatten().collect();
+    results.sort_unstable_by_key(|(k, _)| *k);
+    results.into_iter().map(|(_, result)| result).collect()
 }
 
 #[cfg(test)]
