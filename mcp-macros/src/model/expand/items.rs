@@ -55,7 +55,7 @@ impl Expansion<'_> {
         code! {
             #(#attributes)*
             #[doc = #contents]
-            #[allow(non_snake_case, reason = "fields are called as in the text of the model")]
+            #[allow(non_snake_case, clippy::struct_field_names, reason = "fields are called as in the text of the model")]
             #[derive(::core::clone::Clone)]
             #visibility struct #name {
                 #(#families)*

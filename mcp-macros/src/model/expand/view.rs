@@ -67,7 +67,7 @@ impl Expansion<'_> {
         );
         code! {
             #[doc = #about]
-            #[allow(non_snake_case, reason = "fields are called as in the text of the model")]
+            #[allow(non_snake_case, clippy::struct_field_names, reason = "fields are called as in the text of the model")]
             #[derive(::core::clone::Clone, ::core::fmt::Debug)]
             #visibility struct #view {
                 #(#fields)*
