@@ -12,6 +12,7 @@
 //! on each ([DM02], see the references of `mcp_core`).
 #![allow(clippy::print_stdout, reason = "an example prints its results")]
 
+use mcp_core::accuracy::performance_profile;
 use mcp_core::testing::collection::{self, Instance, families};
 use mcp_core::testing::judge;
 use mcp_core::{Method, ModelError, Options, Solver};
@@ -218,18 +219,10 @@ fn csv(all: &[Results]) -> Result<String, std::fmt::Error> {
     Ok(text)
 }
 
-/// `log₂` of a method's evaluations of `F` relative to the best method's, sorted, for the problems
-/// it solves.
-fn ratios(all: &[Results], results: &Results) -> Vec<f64> {
-    let cost = |run: &Run| run.f.max(1) as f64;
-    let best = |p: usize| {
-        let solved = all.iter().map(|results| &results.runs[p]).filter(|run| run.solved());
-        solved.map(cost).fold(f64::INFINITY, f64::min)
-    };
-    let solved = results.runs.iter().enumerate().filter(|(_, run)| run.solved());
-    let mut ratios: Vec<f64> = solved.map(|(p, run)| (cost(run) / best(p)).log2()).collect();
-    ratios.sort_by(f64::total_cmp);
-    ratios
+/// A method's evaluations of `F` on every solvable problem that it solves.
+fn evaluations(results: &Results) -> Vec<Option<f64>> {
+    let solvable = results.runs.iter().filter(|run| run.solvable);
+    solvable.map(|run| run.solved().then(|| run.f.max(1) as f64)).collect()
 }
 
 /// The profile shows costs up to `2⁶` times that of the best method.
@@ -238,7 +231,7 @@ const WIDEST: f64 = 6.0;
 /// `ρ(τ)`: the share of the solvable problems that a method solves within `τ` times the cost of
 /// the best.
 fn draw_profile(path: &Path, all: &[Results]) -> Result<(), Box<dyn Error>> {
-    let solvable = all[0].runs.iter().filter(|run| run.solvable).count() as f64;
+    let profiles = performance_profile(&all.iter().map(evaluations).collect::<Vec<_>>());
     let area = SVGBackend::new(path, (900, 560)).into_drawing_area();
     area.fill(&WHITE)?;
     let mut chart = ChartBuilder::on(&area)
@@ -253,12 +246,11 @@ fn draw_profile(path: &Path, all: &[Results]) -> Result<(), Box<dyn Error>> {
         .x_desc("evaluations relative to the best method, log2")
         .y_desc("share of solvable problems solved")
         .draw()?;
-    for (k, results) in all.iter().enumerate() {
+    for (k, (results, profile)) in all.iter().zip(profiles).enumerate() {
         let (mut steps, mut share) = (vec![(0.0, 0.0)], 0.0);
-        for ratio in ratios(all, results).into_iter().filter(|&ratio| ratio <= WIDEST) {
-            steps.push((ratio, share));
-            share += 1.0 / solvable;
-            steps.push((ratio, share));
+        for (ratio, next) in profile.into_iter().filter(|step| step.0 <= WIDEST) {
+            steps.extend([(ratio, share), (ratio, next)]);
+            share = next;
         }
         steps.push((WIDEST, share));
         let style = Palette99::pick(k).stroke_width(2);

@@ -46,6 +46,7 @@
 //! | \[BG12\] | I. Ben Gharbia, J. C. Gilbert (2012), Nonconvergence of the plain Newton-min algorithm for linear complementarity problems with a P-matrix. Math. Prog. 134 |
 //! | \[Bil95\] | S. C. Billups (1995), Algorithms for complementarity problems and generalized equations. PhD thesis, Wisconsin |
 //! | \[CCK00\] | B. Chen, X. Chen, C. Kanzow (2000), A penalized Fischer–Burmeister NCP-function. Math. Prog. 88 |
+//! | \[CPR74\] | A. R. Curtis, M. J. D. Powell, J. K. Reid (1974), On the estimation of sparse Jacobian matrices. IMA J. Appl. Math. 13 |
 //! | \[CPS92\] | R. W. Cottle, J.-S. Pang, R. E. Stone (1992), The Linear Complementarity Problem. Academic Press |
 //! | \[CR72\] | A. R. Curtis, J. K. Reid (1972), On the automatic scaling of matrices for Gaussian elimination. IMA J. Appl. Math. 10 |
 //! | \[DF95\] | S. P. Dirkse, M. C. Ferris (1995), MCPLIB: a collection of nonlinear mixed complementarity problems. Optim. Methods Softw. 5 |
@@ -63,6 +64,7 @@
 //! | \[GV13\] | G. H. Golub, C. F. Van Loan (2013), Matrix Computations, 4th ed. Johns Hopkins |
 //! | \[HK73\] | J. E. Hopcroft, R. M. Karp (1973), An n^(5/2) algorithm for maximum matchings in bipartite graphs. SIAM J. Comput. 2 |
 //! | \[HS81\] | W. Hock, K. Schittkowski (1981), Test Examples for Nonlinear Programming Codes. Springer |
+//! | \[JMP17\] | M. Joldes, J.-M. Muller, V. Popescu (2017), Tight and rigorous error bounds for basic building blocks of double-word arithmetic. ACM Trans. Math. Softw. 44 |
 //! | \[Jos79\] | N. H. Josephy (1979), Newton's method for generalized equations. MRC Technical Summary Report 1965, Wisconsin |
 //! | \[Kan96\] | C. Kanzow (1996), Some noninterior continuation methods for linear complementarity problems. SIAM J. Matrix Anal. Appl. 17 |
 //! | \[KK98\] | C. Kanzow, H. Kleinmichel (1998), A new class of semismooth Newton-type methods for nonlinear complementarity problems. Comput. Optim. Appl. 11 |
@@ -72,6 +74,7 @@
 //! | \[MGH81\] | J. J. Moré, B. S. Garbow, K. E. Hillstrom (1981), Testing unconstrained optimization software. ACM Trans. Math. Softw. 7 |
 //! | \[Moo66\] | R. E. Moore (1966), Interval Analysis. Prentice-Hall |
 //! | \[Mur78\] | K. G. Murty (1978), Computational complexity of complementary pivot methods. Math. Prog. Study 7 |
+//! | \[MW09\] | J. J. Moré, S. M. Wild (2009), Benchmarking derivative-free optimization algorithms. SIAM J. Optim. 20 |
 //! | \[Neu90\] | A. Neumaier (1990), Interval Methods for Systems of Equations. Cambridge |
 //! | \[NW06\] | J. Nocedal, S. J. Wright (2006), Numerical Optimization, 2nd ed. Springer |
 //! | \[Rob80\] | S. M. Robinson (1980), Strongly regular generalized equations. Math. Oper. Res. 5 |
@@ -86,6 +89,8 @@ extern crate self as mcp_core;
 #[doc(hidden)]
 #[path = "private.rs"]
 pub mod __private;
+#[cfg(feature = "testing")]
+pub mod accuracy;
 mod apart;
 pub mod certify;
 pub mod economics;

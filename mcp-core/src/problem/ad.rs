@@ -309,7 +309,7 @@ fn jet_lanes<M: Model>(shape: &Shape, pattern: &Pattern) -> Box<dyn Pass<M>> {
 }
 
 /// The smallest of 1, 2, 4, 8, 16 lanes that covers `n` variables, 16 above.
-const fn lanes_for(whole: Option<usize>) -> usize {
+pub(super) const fn lanes_for(whole: Option<usize>) -> usize {
     match whole {
         Some(0..=1) => 1,
         Some(2) => 2,

@@ -1,150 +1,137 @@
-//! What `F` and `J` cost in operations, counted row by row.
+//! Scalar operations of one evaluation of `J`, counted.
 
 use super::AdProblem;
-use super::record::{RowReads, all_rows, constants, record_rows};
+use super::ad::lanes_for;
+use super::record::{all_rows, constants, record_rows};
 use super::rows::{Kind, RowsIn};
-use crate::error::ModelError;
-use crate::model::{Family, Give, Model, Point, Reader, Row, Shape};
-use crate::problem::derived::definitions;
-use crate::scalar::{Counted, Jet, OperationCounts, Real, Tally};
+use crate::model::{Family, Model, Reader, Row};
+use crate::scalar::{Counted, Jet, Real, Scalar, Tally};
 
-/// Numbers whose operations are counted, with one tangent where the arithmetic has one.
-struct Tallied<'a> {
-    point: Point<'a>,
-    tally: &'a Tally,
-}
-
-impl<'a> Give<Counted<'a>> for Tallied<'a> {
-    fn var(&self, j: usize) -> Real<Counted<'a>> {
-        Real(self.tally.variable(self.point.z[j]))
-    }
-    fn def(&self, k: usize) -> Real<Counted<'a>> {
-        Real(self.tally.variable(self.point.definitions[k]))
-    }
-    fn param(&self, k: usize) -> Real<Counted<'a>> {
-        Real(self.tally.variable(self.point.parameters[k]))
-    }
-}
-
-impl<'a> Give<Jet<1, Counted<'a>>> for Tallied<'a> {
-    fn var(&self, j: usize) -> Real<Jet<1, Counted<'a>>> {
-        Real(Jet { v: self.tally.variable(self.point.z[j]), d: [self.tally.variable(1.0)] })
-    }
-    fn def(&self, k: usize) -> Real<Jet<1, Counted<'a>>> {
-        Real(Jet {
-            v: self.tally.variable(self.point.definitions[k]),
-            d: [self.tally.variable(1.0)],
-        })
-    }
-    fn param(&self, k: usize) -> Real<Jet<1, Counted<'a>>> {
-        Real(Jet {
-            v: self.tally.variable(self.point.parameters[k]),
-            d: [self.tally.variable(0.0)],
-        })
-    }
-}
-
-/// Operations of a row that reads `lanes` numbers: the values once, the tangents of each lane.
-fn of_row<'t, M: RowsIn<Counted<'t>> + RowsIn<Jet<1, Counted<'t>>>>(
-    model: &M,
-    (kind, row): (Kind, Row),
-    point: Point<'t>,
-    (plain, one_lane): (&'t Tally, &'t Tally),
-    lanes: u64,
-) -> OperationCounts {
-    let give = Tallied { point, tally: plain };
-    let _: Real<Counted<'t>> = model.row_in(kind, row, &Reader::other(&give));
-    let give = Tallied { point, tally: one_lane };
-    let _: Real<Jet<1, Counted<'t>>> = model.row_in(kind, row, &Reader::other(&give));
-    let (values, both) = (plain.counts(), one_lane.counts());
-    let total = |of: fn(&OperationCounts) -> u64| {
-        of(&values) + lanes * of(&both).saturating_sub(of(&values))
-    };
-    OperationCounts {
-        additions: total(|counts| counts.additions),
-        multiplications: total(|counts| counts.multiplications),
-        divisions: total(|counts| counts.divisions),
-        functions: total(|counts| counts.functions),
-        selections: total(|counts| counts.selections),
-    }
-}
+/// The counting scalar with one tangent.
+type Tangent<'t> = Jet<1, Counted<'t>>;
 
 impl<M: Model> AdProblem<M> {
-    /// Operations of one evaluation of `F` and `J` together, in forward mode row by row: a row or
-    /// definition that reads `k` variables and definitions costs its values once and `k` tangents.
+    /// Operations of one evaluation of `J` with [`Jet`]s: values, and tangents in all lanes that are
+    /// carried, whether they are zero or not.
     ///
-    /// Left out are the products of the chain rule through definitions, and the lanes that only fill
-    /// up a chunk of 8 or 16. A model of one function ([`Model::WHOLE`]) is counted by its rows too.
+    /// A row that reads `k` numbers is evaluated with 8 lanes, or 16 for every 16 of them, and takes
+    /// `⌈k/L⌉ (a + L t)` operations: `a` those of its value, `t` those of one tangent. A function of
+    /// fixed size `n` likewise, once for all rows. The chain rule through definitions takes two more
+    /// for every variable of every definition that is read.
+    ///
+    /// ```
+    /// # use mcp_core::{AdProblem, Real, Scalar, mcp_fn};
+    /// #[mcp_fn]
+    /// fn square<D: Scalar>([x]: [Real<D>; 1]) -> [Real<D>; 1] {
+    ///     [x * x]
+    /// }
+    /// let problem = AdProblem::new(Square::new()?)?;
+    /// // x·x, and ẋ·x + x·ẋ.
+    /// assert_eq!((problem.operations().total(), problem.jacobian_operations()?), (1, 1 + 3));
+    /// # Ok::<(), mcp_core::ModelError>(())
+    /// ```
     ///
     /// # Errors
     /// As [`AdProblem::new`].
-    pub fn jacobian_operations(&self) -> Result<OperationCounts, ModelError> {
-        let shape: &Shape = self.shape();
-        let (z, parameters) = (shape.start(), shape.parameter_values());
-        let mut def = |k, index, read: &Reader<'_, f64>| self.model().def(k, index, read);
-        let values = definitions(shape, &mut def, &constants(z), &constants(parameters));
-        let values: Vec<f64> = values.into_iter().map(Real::into_scalar).collect();
-        let point = Point { z, definitions: &values, parameters };
-
-        let reads = record_rows(self.model(), shape)?;
-        let definition_rows = all_rows(shape.definitions().iter().map(Family::len));
-        let equation_rows = all_rows(shape.equations().map(Family::len));
-        let kinds = [
-            (Kind::Definition, definition_rows, &reads.definitions),
-            (Kind::Equation, equation_rows, &reads.rows),
-        ];
-        let mut sum = OperationCounts::default();
-        for (kind, rows, reads) in kinds {
-            for (row, RowReads { variables, definitions }) in rows.into_iter().zip(reads) {
-                let lanes = (variables.len() + definitions.len()) as u64;
-                let tallies = (&Tally::new(), &Tally::new());
-                let counts = of_row(self.model(), (kind, row), point, tallies, lanes);
-                sum.additions += counts.additions;
-                sum.multiplications += counts.multiplications;
-                sum.divisions += counts.divisions;
-                sum.functions += counts.functions;
-                sum.selections += counts.selections;
-            }
+    pub fn jacobian_operations(&self) -> Result<u64, crate::ModelError> {
+        let (model, shape) = (self.model(), self.shape());
+        if M::WHOLE.is_some() {
+            let value = self.operations().total();
+            let tally = Tally::new();
+            let z: Vec<Real<Tangent<'_>>> =
+                shape.start().iter().map(|&z| tangent(&tally, z)).collect();
+            let mut f = vec![Real(Tangent::constant(0.0)); shape.row_count()];
+            model.whole(&Reader::lanes(&z, &[], &constants(shape.parameter_values())), &mut f);
+            return Ok(in_lanes(value, tally.counts().total(), shape.n(), lanes_for(M::WHOLE)));
         }
-        Ok(sum)
+        let recorded = record_rows(model, shape)?;
+        let rows = all_rows(shape.equations().map(Family::len));
+        let definitions = all_rows(shape.definitions().iter().map(Family::len));
+        let all = definitions.iter().map(|&row| (Kind::Definition, row));
+        let all = all.chain(rows.iter().map(|&row| (Kind::Equation, row)));
+        let tally = Tally::new();
+        let values = self.counted(&tally, all.clone(), |z| Real(tally.variable(z)));
+        let tangents = self.counted(&tally, all, |z| tangent(&tally, z));
+        let reads = recorded.definitions.iter().chain(&recorded.rows);
+        let mut total = 0;
+        for ((value, with_tangent), reads) in values.into_iter().zip(tangents).zip(reads) {
+            let lanes = reads.variables.len() + reads.definitions.len();
+            total += match lanes {
+                0 => value,
+                1..=8 => in_lanes(value, with_tangent, lanes, 8),
+                _ => in_lanes(value, with_tangent, lanes, 16),
+            };
+            let supports = reads.definitions.iter().map(|&d| recorded.definition_supports[d].len());
+            total += 2 * supports.sum::<usize>() as u64;
+        }
+        Ok(total)
     }
+
+    /// Operations of each row in an arithmetic that counts in `tally`.
+    fn counted<D: Scalar>(
+        &self,
+        tally: &Tally,
+        rows: impl Iterator<Item = (Kind, Row)>,
+        variable: impl Fn(f64) -> Real<D>,
+    ) -> Vec<u64> {
+        let shape = self.shape();
+        let z: Vec<Real<D>> = shape.start().iter().map(|&z| variable(z)).collect();
+        // Whatever their values: a model cannot branch on them.
+        let definitions = vec![variable(1.0); shape.definition_count()];
+        let parameters = constants(shape.parameter_values());
+        let read = Reader::lanes(&z, &definitions, &parameters);
+        let operations = |(kind, row): (Kind, Row)| {
+            let before = tally.counts().total();
+            let _ = self.model().row_in(kind, row, &read);
+            tally.counts().total() - before
+        };
+        rows.map(operations).collect()
+    }
+}
+
+fn tangent(tally: &Tally, z: f64) -> Real<Tangent<'_>> {
+    // A tangent that counts, as no constant does.
+    Real(Jet { v: tally.variable(z), d: [tally.variable(1.0)] })
+}
+
+/// `⌈k/L⌉ (a + L t)`, from the operations `a` of the value and `a + t` with one tangent.
+fn in_lanes(value: u64, with_tangent: u64, k: usize, lanes: usize) -> u64 {
+    k.div_ceil(lanes) as u64 * (value + lanes as u64 * (with_tangent - value))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::{Equation, Variable};
-    use crate::scalar::Scalar;
+    use crate::{mcp, mcp_fn};
 
-    /// `x y + 3 x` and `exp(y)`.
-    struct Small(Shape);
+    #[mcp_fn(start = 1.0)]
+    fn products<D: Scalar>(z: [Real<D>; 5]) -> [Real<D>; 5] {
+        std::array::from_fn(|i| z[i] * z[(i + 1) % 5])
+    }
 
-    impl Model for Small {
-        fn shape(&self) -> &Shape {
-            &self.0
-        }
-        fn row<D: Scalar>(&self, family: usize, _: usize, read: &Reader<'_, D>) -> Real<D> {
-            let (x, y) = (read.var(0), read.var(1));
-            if family == 0 { x * y + 3.0 * x } else { y.exp() }
+    mcp! {
+        model Shared {
+            data { firms: 3 }
+            var x[i in firms] >= 0.0 start 1.0;
+            def total: sum(firms, |i| x[i]);
+            eq f[i in firms]: x[i] * total complements x[i];
         }
     }
 
     #[test]
-    fn a_row_costs_its_values_once_and_a_tangent_for_each_number_it_reads() {
-        let shape = Shape::builder()
-            .variable(Variable::new("x"))
-            .variable(Variable::new("y"))
-            .equation(Equation::new("f").complements("x"))
-            .equation(Equation::new("g").complements("y"))
-            .build()
-            .unwrap();
-        let problem = AdProblem::new(Small(shape)).unwrap();
-        let f = problem.operations();
-        assert_eq!((f.multiplications, f.additions, f.functions), (2, 1, 1));
-        let both = problem.jacobian_operations().unwrap();
-        // A tangent of f: x'y + y'x + 3x' is three products and two sums; of exp(y): one product.
-        // f has two lanes, and so has the row of exp(y), which reads x without using it.
-        assert_eq!((both.multiplications, both.additions), (2 + 2 * 3 + 2, 1 + 2 * 2));
-        assert_eq!(both.functions, 1);
+    fn a_function_carries_the_lanes_it_is_compiled_with() {
+        // 5 products; 3 operations a tangent; 8 lanes.
+        let problem = AdProblem::new(Products::new().unwrap()).unwrap();
+        assert_eq!(problem.operations().total(), 5);
+        assert_eq!(problem.jacobian_operations(), Ok(5 * (1 + 8 * 3)));
+    }
+
+    #[test]
+    fn rows_carry_eight_lanes_and_pay_for_the_chain_rule() {
+        let problem = AdProblem::new(Shared::builder().build().unwrap()).unwrap();
+        // The sum: two additions, and two for a tangent. Each row: a product of two reads, 8 lanes,
+        // and three products and sums by the definition's variables.
+        let (sum, row) = (2 * (1 + 8), 1 + 8 * 3 + 2 * 3);
+        assert_eq!(problem.jacobian_operations(), Ok(sum + 3 * row));
     }
 }

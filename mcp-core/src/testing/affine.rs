@@ -109,7 +109,7 @@ pub fn murty(n: usize) -> Result<Known, ModelError> {
     from_zero(format!("murty-{n}"), model, vec![unit(n, n - 1)])
 }
 
-pub(super) fn murty_matrix(i: usize, j: usize) -> f64 {
+pub(crate) fn murty_matrix(i: usize, j: usize) -> f64 {
     match i.cmp(&j) {
         std::cmp::Ordering::Less => 2.0,
         std::cmp::Ordering::Equal => 1.0,
@@ -169,7 +169,7 @@ pub fn hilbert(n: usize) -> Result<Known, ModelError> {
     from_zero(format!("hilbert-{n}"), model, vec![])
 }
 
-pub(super) fn hilbert_matrix(i: usize, j: usize) -> f64 {
+pub(crate) fn hilbert_matrix(i: usize, j: usize) -> f64 {
     1.0 / (i + j + 1) as f64
 }
 
@@ -180,6 +180,10 @@ pub(super) fn hilbert_matrix(i: usize, j: usize) -> f64 {
 /// # Errors
 /// None in practice.
 pub fn obstacle(k: usize) -> Result<Known, ModelError> {
+    from_zero(format!("obstacle-{k}"), obstacle_model(k)?, vec![])
+}
+
+pub(crate) fn obstacle_model(k: usize) -> Result<Affine, ModelError> {
     let h = 1.0 / (k + 1) as f64;
     let wave = |i: usize| (3.0 * std::f64::consts::PI * (i + 1) as f64 * h).sin();
     let psi = |x: usize, y: usize| -0.3 + 0.15 * wave(x) * wave(y);
@@ -202,5 +206,5 @@ pub fn obstacle(k: usize) -> Result<Known, ModelError> {
             rows.push(row);
         }
     }
-    from_zero(format!("obstacle-{k}"), Affine::sparse(q, rows)?, vec![])
+    Affine::sparse(q, rows)
 }

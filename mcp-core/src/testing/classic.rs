@@ -53,7 +53,7 @@ fn starts() -> Vec<Vec<f64>> {
     ]
 }
 
-pub(super) fn kojima_shindo_model() -> Result<impl Model + 'static, ModelError> {
+pub(crate) fn kojima_shindo_model() -> Result<impl Model + 'static, ModelError> {
     Ok(Quadratic { shape: square(4, 0.0)?, c: [10.0, 9.0, 9.0] })
 }
 

@@ -17,8 +17,8 @@
 //! # Ok::<(), mcp_core::ModelError>(())
 //! ```
 
-mod affine;
-mod classic;
+pub(crate) mod affine;
+pub(crate) mod classic;
 pub mod collection;
 pub mod hock_schittkowski;
 mod judge;

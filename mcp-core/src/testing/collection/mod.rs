@@ -47,6 +47,8 @@ mod tests;
 mod unsolvable;
 
 pub use instance::Instance;
+pub(crate) use small::{TEN_FIRMS, TenFirms, double_root_model, ten_firms_model};
+pub(crate) use systems::powell_singular_model;
 
 use crate::error::ModelError;
 

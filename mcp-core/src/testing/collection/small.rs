@@ -3,6 +3,7 @@
 use super::super::classic::{billups_model, josephy_model, kojima_shindo_model, watson4_model};
 use super::{Instance, kkt, systems};
 use crate::error::ModelError;
+use crate::model::Model;
 use crate::scalar::{Real, Scalar, sum};
 use crate::{mcp, mcp_fn};
 
@@ -68,6 +69,26 @@ impl Cournot {
     }
 }
 
+/// The ten firms of `nash10`.
+pub(crate) struct TenFirms {
+    pub(crate) c: [f64; 10],
+    pub(crate) l: f64,
+    pub(crate) beta: [f64; 10],
+    pub(crate) gamma: f64,
+}
+
+pub(crate) const TEN_FIRMS: TenFirms = TenFirms {
+    c: [5.0, 3.0, 8.0, 5.0, 1.0, 3.0, 7.0, 4.0, 6.0, 3.0],
+    l: 10.0,
+    beta: [1.2, 1.0, 0.9, 0.6, 1.5, 1.0, 0.7, 1.1, 0.95, 0.75],
+    gamma: 1.2,
+};
+
+pub(crate) fn ten_firms_model() -> Result<impl Model + Send + Sync + 'static, ModelError> {
+    let TenFirms { c, l, beta, gamma } = TEN_FIRMS;
+    Cournot::new(c, l, beta, gamma)
+}
+
 /// Price and quantities of five firms: the same game with the price as a variable.
 #[mcp_fn(lower = 0.0)]
 fn oligopoly<D: Scalar>([p, q1, q2, q3, q4, q5]: [Real<D>; 6]) -> [Real<D>; 6] {
@@ -105,6 +126,10 @@ fn tiny_box<D: Scalar>([x, y]: [Real<D>; 2]) -> [Real<D>; 2] {
 #[mcp_fn(lower = 0.0, start = 3.0)]
 fn double_root<D: Scalar>([x]: [Real<D>; 1]) -> [Real<D>; 1] {
     [(x - 1).powi(2)]
+}
+
+pub(crate) fn double_root_model() -> Result<impl Model + 'static, ModelError> {
+    DoubleRoot::new()
 }
 
 /// A double root at the bound.
@@ -155,13 +180,7 @@ fn walras() -> Result<Vec<Instance>, ModelError> {
 }
 
 fn cournot() -> Result<Vec<Instance>, ModelError> {
-    let ten = Cournot::new(
-        [5.0, 3.0, 8.0, 5.0, 1.0, 3.0, 7.0, 4.0, 6.0, 3.0],
-        10.0,
-        [1.2, 1.0, 0.9, 0.6, 1.5, 1.0, 0.7, 1.1, 0.95, 0.75],
-        1.2,
-    )?;
-    let ten = Instance::new("nash10", COURNOT, ten).at_starts(&[
+    let ten = Instance::new("nash10", COURNOT, ten_firms_model()?).at_starts(&[
         [1.0; 10],
         [10.0; 10],
         [1.0, 1.2, 1.4, 1.6, 1.8, 2.1, 2.3, 2.5, 2.7, 2.9],

@@ -25,6 +25,10 @@ fn powell_singular<D: Scalar>([a, b, c, d]: [Real<D>; 4]) -> [Real<D>; 4] {
     [a + 10 * b, r5 * (c - d), (b - 2 * c).powi(2), r10 * (a - d).powi(2)]
 }
 
+pub(crate) fn powell_singular_model() -> Result<impl Model + 'static, ModelError> {
+    PowellSingular::new()
+}
+
 /// The root is near (1.098e-5, 9.106).
 #[mcp_fn(start = [0.0, 1.0])]
 fn powell_badly_scaled<D: Scalar>([x, y]: [Real<D>; 2]) -> [Real<D>; 2] {
