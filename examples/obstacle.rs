@@ -30,7 +30,9 @@
 //! heights on the grid by relaxation.
 #![allow(clippy::print_stdout, reason = "an example prints its results")]
 
-use mcp_core::{AdProblem, ModelError, Options, Problem, Solver, mcp};
+use mcp_core::{
+    AdProblem, Grid, Model, ModelError, Options, Problem, Solution, Solver, mcp, solve_sequence,
+};
 use std::error::Error;
 use std::f64::consts::PI;
 
@@ -122,6 +124,23 @@ fn main() -> Result<(), Box<dyn Error>> {
             println!("{:>9}{RADIUS:>41.4}{:>11.4}   in closed form\n", "", carried());
             print_picture(&view, n);
         }
+    }
+    print_nested()
+}
+
+/// The same grids once more, each from the solution on the grid before it, interpolated: the number of
+/// iterations does not grow with the grid.
+fn print_nested() -> Result<(), Box<dyn Error>> {
+    let finer = |coarse: &Solution, fine: &Membrane| {
+        let [from, to] = [coarse.z.len(), fine.shape().n()].map(|n| Grid::square(n.isqrt()));
+        to.interpolate(&coarse.z, from, 0.0)
+    };
+    let models = [19, 39, 79, 159].map(Membrane::over_ball);
+    println!("\ncoarse to fine\nvariables  iterations");
+    for solution in solve_sequence(models, finer, &Options::default())? {
+        let solution = solution.solved()?;
+        println!("{:>9}{:>12}", solution.z.len(), solution.stats.iterations);
+        assert!(solution.stats.iterations <= 10);
     }
     Ok(())
 }

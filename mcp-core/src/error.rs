@@ -186,6 +186,17 @@ pub enum ModelError {
         /// How many there are.
         count: usize,
     },
+    /// A row does not read the same at all points, so that its derivatives would lack entries.
+    #[error(
+        "`{row}` reads `{read}` at some points and not at others; a row may not choose by values what it \
+         reads (`select`, `max` and `min` compute both sides), or say so with `AdProblem::reading`"
+    )]
+    ReadsVary {
+        /// The equation or definition.
+        row: String,
+        /// The variable or definition.
+        read: String,
+    },
     /// A definition reads itself or a later one.
     #[error("definition `{definition}` reads `{later}`, which is not defined before it")]
     DefinitionOrder {

@@ -43,7 +43,9 @@
 //! | --- | --- |
 //! | \[Ahn83\] | B.-H. Ahn (1983), Iterative methods for linear complementarity problems with upper bounds on primary variables. Math. Prog. 26 |
 //! | \[Ber82\] | D. P. Bertsekas (1982), Projected Newton methods for optimization problems with simple constraints. SIAM J. Control Optim. 20 |
+//! | \[ADD89\] | M. Arioli, J. W. Demmel, I. S. Duff (1989), Solving sparse linear systems with sparse backward error. SIAM J. Matrix Anal. Appl. 10 |
 //! | \[BG12\] | I. Ben Gharbia, J. C. Gilbert (2012), Nonconvergence of the plain Newton-min algorithm for linear complementarity problems with a P-matrix. Math. Prog. 134 |
+//! | \[BHM00\] | W. L. Briggs, V. E. Henson, S. F. McCormick (2000), A Multigrid Tutorial, 2nd ed. SIAM |
 //! | \[Bil95\] | S. C. Billups (1995), Algorithms for complementarity problems and generalized equations. PhD thesis, Wisconsin |
 //! | \[CCK00\] | B. Chen, X. Chen, C. Kanzow (2000), A penalized Fischer–Burmeister NCP-function. Math. Prog. 88 |
 //! | \[CPR74\] | A. R. Curtis, M. J. D. Powell, J. K. Reid (1974), On the estimation of sparse Jacobian matrices. IMA J. Appl. Math. 13 |
@@ -53,6 +55,7 @@
 //! | \[DF97\] | S. P. Dirkse, M. C. Ferris (1997), Crash techniques for large-scale complementarity problems. In: Complementarity and Variational Problems: State of the Art, SIAM |
 //! | \[DFK96\] | T. De Luca, F. Facchinei, C. Kanzow (1996), A semismooth equation approach to the solution of nonlinear complementarity problems. Math. Prog. 75 |
 //! | \[DM02\] | E. D. Dolan, J. J. Moré (2002), Benchmarking optimization software with performance profiles. Math. Prog. 91 |
+//! | \[EW96\] | S. C. Eisenstat, H. F. Walker (1996), Choosing the forcing terms in an inexact Newton method. SIAM J. Sci. Comput. 17 |
 //! | \[Fat79\] | Y. Fathi (1979), Computational complexity of LCPs associated with positive definite symmetric matrices. Math. Prog. 17 |
 //! | \[FFG99\] | M. C. Ferris, R. Fourer, D. M. Gay (1999), Expressing complementarity problems in an algebraic modeling language and communicating them to solvers. SIAM J. Optim. 9 |
 //! | \[Fis92\] | A. Fischer (1992), A special Newton-type optimization method. Optimization 24 |
@@ -68,6 +71,7 @@
 //! | \[Jos79\] | N. H. Josephy (1979), Newton's method for generalized equations. MRC Technical Summary Report 1965, Wisconsin |
 //! | \[Kan96\] | C. Kanzow (1996), Some noninterior continuation methods for linear complementarity problems. SIAM J. Matrix Anal. Appl. 17 |
 //! | \[KK98\] | C. Kanzow, H. Kleinmichel (1998), A new class of semismooth Newton-type methods for nonlinear complementarity problems. Comput. Optim. Appl. 11 |
+//! | \[Kor94\] | R. Kornhuber (1994), Monotone multigrid methods for elliptic variational inequalities I. Numer. Math. 69 |
 //! | \[KP04\] | C. Kanzow, S. Petra (2004), On a semismooth least squares formulation of complementarity problems with gap reduction. Optim. Methods Softw. 19 |
 //! | \[Kra69\] | R. Krawczyk (1969), Newton-Algorithmen zur Bestimmung von Nullstellen mit Fehlerschranken. Computing 4 |
 //! | \[Mat85\] | L. Mathiesen (1985), Computation of economic equilibria by a sequence of linear complementarity problems. Math. Prog. Study 23 |
@@ -81,6 +85,7 @@
 //! | \[Rui01\] | D. Ruiz (2001), A scaling algorithm to equilibrate both rows and columns norms in matrices. RAL-TR-2001-034 |
 //! | \[Rut99\] | T. F. Rutherford (1999), Applied general equilibrium modeling with MPSGE as a GAMS subsystem. Comput. Econ. 14 |
 //! | \[SLF14\] | G. L. Steele, D. Lea, C. H. Flood (2014), Fast splittable pseudorandom number generators. OOPSLA |
+//! | \[Van95\] | R. J. Vanderbei (1995), Symmetric quasidefinite matrices. SIAM J. Optim. 5 |
 //! | \[ZH04\] | H. Zhang, W. W. Hager (2004), A nonmonotone line search technique and its application to unconstrained optimization. SIAM J. Optim. 14 |
 
 // Generated code and doctests name this crate from outside and from inside alike.
@@ -112,7 +117,7 @@ pub mod testing;
 pub use certify::{Accuracy, Degeneracy, Infeasible, Proof, Refusal, Weakest, certify, infeasible};
 pub use error::ModelError;
 pub use globalise::{Armijo, Nonmonotone, Stall};
-pub use linalg::{Linear, LinearError, LinearSolver};
+pub use linalg::{Grid, Linear, LinearError, LinearSolver, MultigridCg};
 pub use model::{
     Block, BoundKind, Bounds, Definition, Equation, Family, Model, Parameter, Reader, Set, Shape,
     ShapeBuilder, Values, Variable,
@@ -133,7 +138,7 @@ pub use solver::{
     Certificate, Criterion, Descent, Diagnosis, Direction, DomainFault, Iteration, Method, Monitor,
     NotSolved, Options, PointCheck, PointRow, Robust, Solution, Solver, Stage, StageEnd,
     StageRecord, Stats, Status, UnknownMethod, Verdict, Violation, WrongPoint, check_point,
-    examine, solve, solve_from,
+    examine, solve, solve_from, solve_sequence, solve_sequence_with,
 };
 #[cfg(feature = "rayon")]
 pub use solver::{batch, solve_batch};

@@ -21,7 +21,9 @@ const SPARSE_UP_TO: f64 = 0.2;
 #[non_exhaustive]
 pub enum Linear {
     /// By order and density: [`StackLu`] for `n < 16`, [`NalgebraLu`] for `n <= 100`, above that
-    /// [`FaerSparseLu`] for at most 20 % of nonzeros and [`FaerDenseLu`] for more.
+    /// [`FaerSparseLu`] for at most 20 % of nonzeros and [`FaerDenseLu`] for more. Newton systems that are
+    /// sparse and whose `J` is symmetric, up to factors of its rows, are given to
+    /// [`FaerCholesky`](super::FaerCholesky) first.
     #[default]
     Auto,
     /// [`StackLu`], for `n <= 16`.

@@ -9,14 +9,18 @@
 //! | [`NalgebraLu`] | `n <= 100` | `2n³/3`, unblocked | nalgebra |
 //! | [`FaerDenseLu`] | dense, `n > 100` | `2n³/3`, blocked | faer |
 //! | [`FaerSparseLu`] | sparse, `n > 100` | fill of COLAMD order | faer |
+//! | [`FaerCholesky`] | the same, `H` symmetric: `L Lᵀ` or `L D Lᵀ` | fill of minimum degree order | faer |
+//! | [`MultigridCg`] | never: the caller brings it | `O(n)` | [BHM00](crate#references) |
 //!
-//! All use partial pivoting. None knows of bounds. [`Linear`] chooses among them.
+//! The LU factorisations use partial pivoting. None knows of bounds. [`Linear`] chooses among them.
 //!
 //! \[GV13\]: G. H. Golub, C. F. Van Loan, Matrix Computations, 4th ed., 2013.
 
 mod auto;
+mod faer_cholesky;
 mod faer_dense;
 mod faer_sparse;
+mod multigrid;
 mod nalgebra_lu;
 mod pivots;
 mod stack_lu;
@@ -25,8 +29,10 @@ mod storage;
 mod tests;
 
 pub use auto::{Linear, UnknownLinear};
+pub use faer_cholesky::FaerCholesky;
 pub use faer_dense::FaerDenseLu;
 pub use faer_sparse::FaerSparseLu;
+pub use multigrid::{Grid, MultigridCg};
 pub use nalgebra_lu::NalgebraLu;
 pub use stack_lu::StackLu;
 
@@ -43,6 +49,12 @@ pub enum LinearError {
         /// The column without a pivot.
         column: usize,
     },
+    /// A symmetric matrix is not positive definite, which this solver needs.
+    #[error("the matrix is not positive definite: the pivot of column {column} is not positive")]
+    NotDefinite {
+        /// The column of the pivot.
+        column: usize,
+    },
     /// An entry is NaN or infinite, or became so in the factorisation.
     #[error("the matrix or its factors have a non-finite entry")]
     NotFinite,
@@ -51,6 +63,16 @@ pub enum LinearError {
     OutOfMemory {
         /// Order of the matrix.
         n: usize,
+    },
+    /// The matrix couples unknowns that are no neighbours on the grid of the solver.
+    #[error("the matrix of order {n} couples more than neighbours on a grid of {rows} × {columns}")]
+    NotOnGrid {
+        /// Order of the matrix.
+        n: usize,
+        /// Nodes along the first index.
+        rows: usize,
+        /// Nodes along the second index.
+        columns: usize,
     },
     /// The solver does not take matrices of this order.
     #[error("the matrix has order {n}, but the solver takes at most {limit}")]
@@ -78,13 +100,29 @@ impl FactorInfo {
     }
 }
 
-/// A direct solver for square systems of one pattern. Implement it to bring your own.
+/// A solver for square systems of one pattern. Implement it to bring your own.
 ///
 /// Calls come in the order `analyse`, then any number of `factor`, each followed by any number of
 /// `solve` and `solve_transposed`. After an error of `factor`, only `factor` may follow.
 pub trait LinearSolver {
     /// Name for logs, e.g. `faer sparse LU`.
     fn name(&self) -> &'static str;
+
+    /// Whether the solver takes symmetric matrices only. [`factor`](Self::factor) may then refuse
+    /// those that are not positive definite.
+    fn needs_symmetry(&self) -> bool {
+        false
+    }
+
+    /// Whether solutions are as accurate as was asked for with [`set_accuracy`](Self::set_accuracy), and
+    /// no more; NaN where the iteration has broken down.
+    fn is_iterative(&self) -> bool {
+        false
+    }
+
+    /// How far the next [`solve`](Self::solve) has to reduce the residual `‖rhs − H x‖₂`, relative to
+    /// `‖rhs‖₂`. Direct solvers do what they can and ignore it, the default.
+    fn set_accuracy(&mut self, _relative: f64) {}
 
     /// Symbolic analysis and allocation, once per pattern. A repeated call with the same pattern
     /// is cheap and allocates nothing.

@@ -101,6 +101,15 @@ pub(crate) struct Reads {
     pub(crate) parameters: Vec<usize>,
 }
 
+impl Reads {
+    /// Forgets everything; the memory stays.
+    pub(crate) fn clear(&mut self) {
+        for list in [&mut self.variables, &mut self.definitions, &mut self.parameters] {
+            list.clear();
+        }
+    }
+}
+
 impl<'a, D: Scalar> Reader<'a, D> {
     pub(crate) fn lanes(
         z: &'a [Real<D>],

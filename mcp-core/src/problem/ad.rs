@@ -54,12 +54,49 @@ pub struct AdProblem<M> {
 impl<M: Model> AdProblem<M> {
     /// Records the pattern and allocates the workspace, with the default [`Engine::Jet`].
     ///
+    /// Rows are run at the start, and once more at another point, where they must read the same.
+    ///
     /// # Errors
-    /// [`ModelError::ReadOutOfRange`], [`ModelError::DefinitionOrder`]; [`ModelError::Length`] if a
-    /// model of one function ([`Model::WHOLE`]) declares definitions or another number of rows.
+    /// [`ModelError::ReadOutOfRange`], [`ModelError::ReadsVary`], [`ModelError::DefinitionOrder`];
+    /// [`ModelError::Length`] if a model of one function ([`Model::WHOLE`]) declares definitions or another number of rows.
     #[inline]
     pub fn new(model: M) -> Result<Self, ModelError> {
-        Self::assemble(model, jet_lanes, |rows| Box::new(ByJets(rows)))
+        Self::reading(model, &[])
+    }
+
+    /// The same for a model whose rows choose by values what they read: each `(i, j)` says that the
+    /// equation paired with variable `i` may read variable `j`, whether or not it does at the start. For
+    /// a model of one function, whose dependencies are traced, it says nothing.
+    ///
+    /// # Errors
+    /// As [`AdProblem::new`], and [`ModelError::Length`] for a variable that does not exist.
+    ///
+    /// ```
+    /// use mcp_core::{AdProblem, Equation, Model, ModelError, Problem, Reader, Real, Scalar, Shape, Variable};
+    ///
+    /// /// `F_x = x − 1`, and above 1 `x − y`: what is read depends on a value.
+    /// struct Switch(Shape);
+    ///
+    /// impl Model for Switch {
+    ///     fn shape(&self) -> &Shape { &self.0 }
+    ///     fn row<D: Scalar>(&self, row: usize, _: usize, read: &Reader<'_, D>) -> Real<D> {
+    ///         let x = if row == 0 { read.var(0) } else { return read.var(1) - 2.0 };
+    ///         if x.into_scalar().value() > 1.0 { x - read.var(1) } else { x - 1.0 }
+    ///     }
+    /// }
+    ///
+    /// let shape = Shape::builder()
+    ///     .variable(Variable::new("x").lower(0.0).start(1.0)).variable(Variable::new("y"))
+    ///     .equation(Equation::new("f").complements("x")).equation(Equation::new("g").complements("y"))
+    ///     .build()?;
+    /// let refused = AdProblem::new(Switch(shape.clone())).err().map(|error| error.to_string());
+    /// assert!(refused.is_some_and(|text| text.starts_with("`f` reads `y` at some points and not at others")));
+    /// assert_eq!(AdProblem::reading(Switch(shape), &[(0, 1)])?.pattern().nnz(), 3);
+    /// # Ok::<(), ModelError>(())
+    /// ```
+    #[inline]
+    pub fn reading(model: M, besides: &[(usize, usize)]) -> Result<Self, ModelError> {
+        Self::assemble(model, besides, jet_lanes, |rows| Box::new(ByJets(rows)))
     }
 
     /// The same with derivatives by the given engine.
@@ -71,6 +108,7 @@ impl<M: Model> AdProblem<M> {
             Engine::Jet => Self::new(model),
             Engine::NumDual => Self::assemble(
                 model,
+                &[],
                 |shape, pattern| Box::new(Lanes::<DualSVec64<8>>::new(shape, pattern)),
                 |rows| Box::new(ByNumDual::new(rows)),
             ),
@@ -100,6 +138,7 @@ impl<M: Model> AdProblem<M> {
     pub(super) fn of_magnitudes(model: M) -> Result<Self, ModelError> {
         Self::assemble(
             model,
+            &[],
             |shape, pattern| Box::new(Lanes::<Magnitude<8>>::new(shape, pattern)),
             |rows| Box::new(ByMagnitude::new(rows)),
         )
@@ -108,6 +147,7 @@ impl<M: Model> AdProblem<M> {
     #[inline]
     fn assemble(
         model: M,
+        besides: &[(usize, usize)],
         lanes: impl FnOnce(&Shape, &Pattern) -> Box<dyn Pass<M>>,
         rows: impl FnOnce(Apart<Rows>) -> Box<dyn Pass<M>>,
     ) -> Result<Self, ModelError> {
@@ -118,7 +158,7 @@ impl<M: Model> AdProblem<M> {
             let pass = lanes(&shape, &pattern);
             (pattern, pass)
         } else {
-            let (pattern, workspace) = recorded(&model, &shape)?;
+            let (pattern, workspace) = recorded(&model, &shape, besides)?;
             (pattern, rows(workspace))
         };
         Ok(AdProblem { model, shape, pattern, pass })
@@ -270,8 +310,17 @@ impl<M: Model> AdProblem<M> {
 
 /// Pattern and workspace of a model given row by row. Not generic: compiled here, not with every
 /// model.
-fn recorded(model: &dyn RowsIn<f64>, shape: &Shape) -> Result<(Pattern, Apart<Rows>), ModelError> {
-    let recorded = record_rows(model, shape)?;
+fn recorded(
+    model: &dyn RowsIn<f64>,
+    shape: &Shape,
+    besides: &[(usize, usize)],
+) -> Result<(Pattern, Apart<Rows>), ModelError> {
+    let n = shape.n();
+    if let Some(&(i, j)) = besides.iter().find(|(i, j)| *i.max(j) >= n) {
+        let what = "variables, one of which is to be read".to_owned();
+        return Err(ModelError::Length { what, expected: n, found: i.max(j) + 1 });
+    }
+    let recorded = record_rows(model, shape, besides)?;
     let pattern = pattern_of(shape, &recorded);
     let rows = Rows::new(shape, &recorded, &pattern);
     Ok((pattern, Apart::new(rows)))

@@ -265,3 +265,46 @@ fn a_solution_keeps_the_shape_it_was_solved_with() {
     assert_eq!(solution.shape.parameter_values()[0], 10.0);
     assert_eq!(problem.shape().parameter_values()[0], 20.0);
 }
+
+/// `F_x = x − 1`, which above `x = 1` reads `y` as well.
+struct Switch(Shape);
+
+impl Model for Switch {
+    fn shape(&self) -> &Shape {
+        &self.0
+    }
+    fn row<D: Scalar>(&self, family: usize, _: usize, read: &Reader<'_, D>) -> Real<D> {
+        let x = if family == 0 { read.var(0) } else { return read.var(1) - 2.0 };
+        if x.into_scalar().value() > 1.0 { x - read.var(1) } else { x - 1.0 }
+    }
+}
+
+fn switch() -> Switch {
+    let shape = Shape::builder()
+        .variable(Variable::new("x").lower(0.0).start(1.0))
+        .variable(Variable::new("y"))
+        .equation(Equation::new("f").complements("x"))
+        .equation(Equation::new("g").complements("y"));
+    Switch(shape.build().unwrap())
+}
+
+#[test]
+fn a_row_that_reads_by_value_is_refused_with_its_name() {
+    let varies = ModelError::ReadsVary { row: "f".to_owned(), read: "y".to_owned() };
+    assert_eq!(AdProblem::new(switch()).err(), Some(varies));
+}
+
+#[test]
+fn reads_given_by_hand_complete_the_pattern() {
+    let mut problem = AdProblem::reading(switch(), &[(0, 1)]).unwrap();
+    assert_eq!(problem.pattern(), &Pattern::from_rows(&[vec![0, 1], vec![1]]));
+    let mut jac = [0.0; 3];
+    problem.evaluate(&[2.0, 5.0], None, Some(&mut jac));
+    assert_eq!(jac, [1.0, -1.0, 1.0]);
+    problem.evaluate(&[0.5, 5.0], None, Some(&mut jac));
+    assert_eq!(jac, [1.0, 0.0, 1.0]);
+    assert!(matches!(
+        AdProblem::reading(switch(), &[(0, 2)]).err(),
+        Some(ModelError::Length { expected: 2, found: 3, .. })
+    ));
+}

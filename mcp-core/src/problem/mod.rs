@@ -19,6 +19,7 @@ mod derived;
 mod lanes;
 mod operations;
 mod pattern;
+mod plan;
 mod record;
 mod rows;
 

@@ -44,15 +44,17 @@ impl<M: Model> AdProblem<M> {
             model.whole(&Reader::lanes(&z, &[], &constants(shape.parameter_values())), &mut f);
             return Ok(in_lanes(value, tally.counts().total(), shape.n(), lanes_for(M::WHOLE)));
         }
-        let recorded = record_rows(model, shape)?;
+        let recorded = record_rows(model, shape, &[])?;
         let rows = all_rows(shape.equations().map(Family::len));
         let definitions = all_rows(shape.definitions().iter().map(Family::len));
-        let all = definitions.iter().map(|&row| (Kind::Definition, row));
-        let all = all.chain(rows.iter().map(|&row| (Kind::Equation, row)));
+        let all: Vec<(Kind, Row)> = definitions
+            .map(|row| (Kind::Definition, row))
+            .chain(rows.map(|row| (Kind::Equation, row)))
+            .collect();
         let tally = Tally::new();
-        let values = self.counted(&tally, all.clone(), |z| Real(tally.variable(z)));
-        let tangents = self.counted(&tally, all, |z| tangent(&tally, z));
-        let reads = recorded.definitions.iter().chain(&recorded.rows);
+        let values = self.counted(&tally, &all, |z| Real(tally.variable(z)));
+        let tangents = self.counted(&tally, &all, |z| tangent(&tally, z));
+        let reads = recorded.definitions.all().chain(recorded.rows.all());
         let mut total = 0;
         for ((value, with_tangent), reads) in values.into_iter().zip(tangents).zip(reads) {
             let lanes = reads.variables.len() + reads.definitions.len();
@@ -61,7 +63,8 @@ impl<M: Model> AdProblem<M> {
                 1..=8 => in_lanes(value, with_tangent, lanes, 8),
                 _ => in_lanes(value, with_tangent, lanes, 16),
             };
-            let supports = reads.definitions.iter().map(|&d| recorded.definition_supports[d].len());
+            let supports =
+                reads.definitions.iter().map(|&d| recorded.definition_supports[d as usize].len());
             total += 2 * supports.sum::<usize>() as u64;
         }
         Ok(total)
@@ -71,7 +74,7 @@ impl<M: Model> AdProblem<M> {
     fn counted<D: Scalar>(
         &self,
         tally: &Tally,
-        rows: impl Iterator<Item = (Kind, Row)>,
+        rows: &[(Kind, Row)],
         variable: impl Fn(f64) -> Real<D>,
     ) -> Vec<u64> {
         let shape = self.shape();
@@ -80,12 +83,12 @@ impl<M: Model> AdProblem<M> {
         let definitions = vec![variable(1.0); shape.definition_count()];
         let parameters = constants(shape.parameter_values());
         let read = Reader::lanes(&z, &definitions, &parameters);
-        let operations = |(kind, row): (Kind, Row)| {
+        let operations = |&(kind, row): &(Kind, Row)| {
             let before = tally.counts().total();
             let _ = self.model().row_in(kind, row, &read);
             tally.counts().total() - before
         };
-        rows.map(operations).collect()
+        rows.iter().map(operations).collect()
     }
 }
 

@@ -1,19 +1,36 @@
 //! [`Pattern`]: where a Jacobian can be different from zero.
 
 use std::ops::Range;
+use std::sync::Arc;
 
 /// The structural nonzeros of a square matrix, compressed by columns.
 ///
 /// One pattern belongs to a problem for good; every Jacobian is a slice of values in its order.
 /// Invariants: `column_starts` has `n + 1` entries, starts at 0 and does not decrease; the rows of
-/// one column are strictly increasing and below `n`.
-#[derive(Clone, Debug, PartialEq, Eq)]
+/// one column are strictly increasing and below `n`. A clone shares the entries.
+#[derive(Clone, Debug, Eq)]
 pub struct Pattern {
+    entries: Arc<Entries>,
+}
+
+#[derive(Debug, PartialEq, Eq)]
+struct Entries {
     column_starts: Vec<usize>,
     rows: Vec<usize>,
 }
 
+impl PartialEq for Pattern {
+    /// Clones are equal at once.
+    fn eq(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.entries, &other.entries) || self.entries == other.entries
+    }
+}
+
 impl Pattern {
+    fn new(column_starts: Vec<usize>, rows: Vec<usize>) -> Self {
+        Pattern { entries: Arc::new(Entries { column_starts, rows }) }
+    }
+
     /// From the rows of every column, in any order, with repetitions allowed.
     ///
     /// # Panics
@@ -29,7 +46,7 @@ impl Pattern {
         }
         let n = column_starts.len() - 1;
         assert!(rows.iter().all(|&i| i < n), "a row of the pattern lies outside the matrix");
-        Pattern { column_starts, rows }
+        Self::new(column_starts, rows)
     }
 
     /// From the columns of every row, in any order, with repetitions allowed.
@@ -43,6 +60,29 @@ impl Pattern {
         Self::from_columns(columns)
     }
 
+    /// From the columns of every row, given as a list without repetitions; `row(i, put)` calls `put`
+    /// for each of them, the same in both passes. Two sweeps, no list for each row.
+    pub(crate) fn from_row_lists(n: usize, row: impl Fn(usize, &mut dyn FnMut(usize))) -> Self {
+        let mut starts = vec![0; n + 1];
+        for i in 0..n {
+            row(i, &mut |j| starts[j + 1] += 1);
+        }
+        for j in 0..n {
+            starts[j + 1] += starts[j];
+        }
+        let mut rows = vec![0; starts[n]];
+        // While column j is filled, starts[j] is where its next entry goes: at last the next start.
+        for i in 0..n {
+            row(i, &mut |j| {
+                rows[starts[j]] = i;
+                starts[j] += 1;
+            });
+        }
+        starts.rotate_right(1);
+        starts[0] = 0;
+        Self::new(starts, rows)
+    }
+
     /// Every entry of an `n × n` matrix.
     pub fn dense(n: usize) -> Self {
         Self::from_columns((0..n).map(|_| (0..n).collect()))
@@ -50,46 +90,47 @@ impl Pattern {
 
     /// Number of rows and columns.
     pub fn n(&self) -> usize {
-        self.column_starts.len() - 1
+        self.entries.column_starts.len() - 1
     }
 
     /// Number of structural nonzeros: the length of every slice of values.
     pub fn nnz(&self) -> usize {
-        self.rows.len()
+        self.entries.rows.len()
     }
 
     /// Where each column starts in [`rows`](Self::rows); `n + 1` entries.
     pub fn column_starts(&self) -> &[usize] {
-        &self.column_starts
+        &self.entries.column_starts
     }
 
     /// Row of every structural nonzero, column by column.
     pub fn rows(&self) -> &[usize] {
-        &self.rows
+        &self.entries.rows
     }
 
     /// Positions of column `j` in a slice of values.
     pub fn column(&self, j: usize) -> Range<usize> {
-        self.column_starts[j]..self.column_starts[j + 1]
+        self.entries.column_starts[j]..self.entries.column_starts[j + 1]
     }
 
     /// Position of entry `(i, j)`, if it is a structural nonzero.
     pub fn position(&self, i: usize, j: usize) -> Option<usize> {
         let column = self.column(j);
         let start = column.start;
-        self.rows[column].binary_search(&i).ok().map(|k| start + k)
+        self.rows()[column].binary_search(&i).ok().map(|k| start + k)
     }
 
     /// All entries `(position, row, column)`, column by column.
     pub fn entries(&self) -> impl Iterator<Item = (usize, usize, usize)> + '_ {
-        (0..self.n()).flat_map(move |j| self.column(j).map(move |k| (k, self.rows[k], j)))
+        let rows = self.rows();
+        (0..self.n()).flat_map(move |j| self.column(j).map(move |k| (k, rows[k], j)))
     }
 
     /// Position, row and column of the first of these values that is not finite.
     pub(crate) fn first_not_finite(&self, values: &[f64]) -> Option<(usize, usize, usize)> {
         let k = values.iter().position(|value| !value.is_finite())?;
-        let column = self.column_starts.partition_point(|&start| start <= k) - 1;
-        Some((k, self.rows[k], column))
+        let column = self.column_starts().partition_point(|&start| start <= k) - 1;
+        Some((k, self.rows()[k], column))
     }
 
     /// Whether every entry is structurally nonzero.
@@ -97,10 +138,41 @@ impl Pattern {
         self.nnz() == self.n() * self.n()
     }
 
+    /// Whether the pattern is its own transpose.
+    pub fn is_symmetric(&self) -> bool {
+        self.transposition().is_some()
+    }
+
+    /// Where the entry `(j, i)` stands for every entry `(i, j)`; `None` if one of them is missing.
+    /// `O(nnz)`.
+    pub(crate) fn transposition(&self) -> Option<Vec<usize>> {
+        // Columns are swept in order, so the partners in each column come in order too.
+        let mut next = self.column_starts()[..self.n()].to_vec();
+        let mut partner = vec![0; self.nnz()];
+        for (k, i, j) in self.entries() {
+            let place = next[i];
+            if place >= self.column(i).end || self.rows()[place] != j {
+                return None;
+            }
+            partner[k] = place;
+            next[i] += 1;
+        }
+        Some(partner)
+    }
+
     /// This pattern with the whole diagonal, where each old entry went, and where the diagonal is.
     pub fn with_diagonal(&self) -> WithDiagonal {
+        let find = |pattern: &Pattern| (0..self.n()).map(|j| pattern.position(j, j)).collect();
+        let complete: Option<Vec<usize>> = find(self);
+        if let Some(diagonal) = complete {
+            return WithDiagonal {
+                pattern: self.clone(),
+                entries: (0..self.nnz()).collect(),
+                diagonal,
+            };
+        }
         let columns = (0..self.n()).map(|j| {
-            let mut rows = self.rows[self.column(j)].to_vec();
+            let mut rows = self.rows()[self.column(j)].to_vec();
             rows.push(j);
             rows
         });
@@ -135,6 +207,36 @@ mod tests {
         assert_eq!(pattern.position(1, 1), None);
         assert!(!pattern.is_dense());
         assert!(Pattern::dense(3).is_dense());
+    }
+
+    #[test]
+    fn lists_of_rows_give_the_same_pattern_as_vectors() {
+        let rows = [vec![0, 2], vec![], vec![3, 1, 0], vec![2]];
+        let listed =
+            Pattern::from_row_lists(4, |i, put| rows[i].iter().copied().for_each(&mut *put));
+        assert_eq!(listed, Pattern::from_rows(&rows));
+        assert_eq!(Pattern::from_row_lists(0, |_, _| ()), Pattern::dense(0));
+    }
+
+    #[test]
+    fn the_transposition_finds_the_partner_of_every_entry_or_says_that_one_is_missing() {
+        let symmetric = Pattern::from_rows(&[vec![1, 3], vec![0, 1], vec![], vec![0]]);
+        let partner = symmetric.transposition().expect("it is symmetric");
+        for (k, i, j) in symmetric.entries() {
+            assert_eq!(symmetric.position(j, i), Some(partner[k]));
+        }
+        for rows in [[vec![1], vec![]], [vec![], vec![0]], [vec![0, 1], vec![1]]] {
+            assert!(!Pattern::from_rows(&rows).is_symmetric());
+        }
+    }
+
+    #[test]
+    fn a_complete_diagonal_leaves_the_pattern_as_it_is() {
+        let pattern = Pattern::from_rows(&[vec![0, 1], vec![1]]);
+        let with = pattern.with_diagonal();
+        assert_eq!(with.pattern, pattern);
+        assert_eq!(with.entries, [0, 1, 2]);
+        assert_eq!(with.diagonal, [0, 2]);
     }
 
     #[test]

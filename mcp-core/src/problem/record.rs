@@ -7,96 +7,227 @@ use crate::model::{Model, Point, Reader, Reads, Recorder, Row, Shape};
 use crate::scalar::{Real, Scalar, Trace};
 use std::cell::RefCell;
 
-/// What one row reads, sorted and without repetitions.
-#[derive(Clone, Debug, Default)]
-pub(super) struct RowReads {
-    pub(super) variables: Vec<usize>,
-    pub(super) definitions: Vec<usize>,
+/// What rows of a kind read, one after the other, each sorted and without repetitions.
+#[derive(Debug, Default)]
+pub(super) struct ReadTable {
+    variables: Vec<u32>,
+    definitions: Vec<u32>,
+    /// Where the reads of each row end.
+    ends: Vec<[u32; 2]>,
+}
+
+/// What one row reads.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct RowReads<'a> {
+    pub(super) variables: &'a [u32],
+    pub(super) definitions: &'a [u32],
+}
+
+impl ReadTable {
+    /// Number of rows.
+    pub(super) fn len(&self) -> usize {
+        self.ends.len()
+    }
+
+    /// What row number `k` reads.
+    pub(super) fn row(&self, k: usize) -> RowReads<'_> {
+        let start = k.checked_sub(1).map_or([0, 0], |before| self.ends[before]);
+        let range = |which: usize| start[which] as usize..self.ends[k][which] as usize;
+        RowReads { variables: &self.variables[range(0)], definitions: &self.definitions[range(1)] }
+    }
+
+    /// What each row reads.
+    pub(super) fn all(&self) -> impl Iterator<Item = RowReads<'_>> {
+        (0..self.len()).map(|k| self.row(k))
+    }
+
+    /// How many variables and definitions all rows read.
+    pub(super) fn sizes(&self) -> [usize; 2] {
+        [self.variables.len(), self.definitions.len()]
+    }
+
+    fn push(&mut self, reads: &Reads) {
+        self.variables.extend(reads.variables.iter().map(|&j| small(j)));
+        self.definitions.extend(reads.definitions.iter().map(|&d| small(d)));
+        self.ends.push([small(self.variables.len()), small(self.definitions.len())]);
+    }
 }
 
 /// What all rows of a model read.
 #[derive(Debug)]
 pub(super) struct Recorded {
     /// In the order of the rows.
-    pub(super) rows: Vec<RowReads>,
+    pub(super) rows: ReadTable,
     /// In the order of the definitions.
-    pub(super) definitions: Vec<RowReads>,
+    pub(super) definitions: ReadTable,
     /// Variables that every definition depends on, directly or through earlier definitions.
-    pub(super) definition_supports: Vec<Vec<usize>>,
+    pub(super) definition_supports: Vec<Vec<u32>>,
+}
+
+/// Numbers of variables, definitions and entries of `J`.
+pub(super) fn small(k: usize) -> u32 {
+    u32::try_from(k).expect("fewer than 2^32 structural nonzeros")
 }
 
 /// Rows of a kind in the order of their numbers.
-pub(super) fn all_rows(lengths: impl Iterator<Item = usize>) -> Vec<Row> {
-    lengths
-        .enumerate()
-        .flat_map(|(family, len)| (0..len).map(move |index| Row { family, index }))
-        .collect()
+pub(super) fn all_rows(lengths: impl Iterator<Item = usize>) -> impl Iterator<Item = Row> {
+    lengths.enumerate().flat_map(|(family, len)| (0..len).map(move |index| Row { family, index }))
 }
 
-/// Runs every row once at the start of the model and notes what it reads. The values do not matter:
-/// models cannot branch on them.
-pub(super) fn record_rows(model: &dyn RowsIn<f64>, shape: &Shape) -> Result<Recorded, ModelError> {
-    let unknown = vec![f64::NAN; shape.definition_count()];
-    let point =
-        Point { z: shape.start(), definitions: &unknown, parameters: shape.parameter_values() };
-    let mut definitions: Vec<RowReads> = Vec::new();
-    for (k, &row) in all_rows(shape.definitions().iter().map(crate::Family::len)).iter().enumerate()
-    {
-        let name = || shape.definition_name(k);
-        let reads = record(shape, point, &name, |r| model.row_in(Kind::Definition, row, r))?;
-        if let Some(&later) = reads.definitions.iter().find(|&&d| d >= k) {
-            let (definition, later) = (name(), shape.definition_name(later));
-            return Err(ModelError::DefinitionOrder { definition, later });
+/// Runs every row once at the start of the model and notes what it reads, and what it reads `besides` by
+/// word of the caller: pairs of a variable, whose equation it is, and a variable read. At another point
+/// every row must read no more than that.
+pub(super) fn record_rows(
+    model: &dyn RowsIn<f64>,
+    shape: &Shape,
+    besides: &[(usize, usize)],
+) -> Result<Recorded, ModelError> {
+    let (mut definitions, mut rows) = (ReadTable::default(), ReadTable::default());
+    for_each_row(model, shape, shape.start(), &mut |row, reads| {
+        match row {
+            Numbered::Definition(k) => {
+                if let Some(&later) = reads.definitions.iter().find(|&&d| d >= k) {
+                    let definition = shape.definition_name(k);
+                    let later = shape.definition_name(later);
+                    return Err(ModelError::DefinitionOrder { definition, later });
+                }
+                definitions.push(reads);
+            }
+            Numbered::Equation(number) if besides.is_empty() => {
+                debug_assert_eq!(number, rows.len());
+                rows.push(reads);
+            }
+            Numbered::Equation(number) => {
+                let i = shape.variable_of_row(number);
+                let more = besides.iter().filter(|(equation, _)| *equation == i);
+                reads.variables.extend(more.map(|&(_, j)| j));
+                reads.variables.sort_unstable();
+                reads.variables.dedup();
+                rows.push(reads);
+            }
         }
-        definitions.push(reads);
-    }
-    let mut rows = Vec::new();
-    for (number, &row) in all_rows(shape.equations().map(crate::Family::len)).iter().enumerate() {
-        let name = || shape.equation_name(shape.variable_of_row(number));
-        rows.push(record(shape, point, &name, |r| model.row_in(Kind::Equation, row, r))?);
-    }
-    let mut definition_supports: Vec<Vec<usize>> = Vec::new();
-    for reads in &definitions {
-        let support = support_of(reads, &definition_supports);
+        Ok(())
+    })?;
+    let mut definition_supports: Vec<Vec<u32>> = Vec::new();
+    for k in 0..definitions.len() {
+        let support = support_of(definitions.row(k), &definition_supports);
         definition_supports.push(support);
     }
-    Ok(Recorded { rows, definitions, definition_supports })
+    let recorded = Recorded { rows, definitions, definition_supports };
+    check_reads(model, shape, &recorded)?;
+    Ok(recorded)
+}
+
+/// Every row once more, at a point away from the start and its special values: it reads nothing new.
+fn check_reads(
+    model: &dyn RowsIn<f64>,
+    shape: &Shape,
+    recorded: &Recorded,
+) -> Result<(), ModelError> {
+    let bounds = shape.bounds();
+    let mut weyl = 0.0_f64;
+    let mut elsewhere = |(j, start): (usize, &f64)| {
+        weyl = (weyl + 0.618_033_988_749_894_9).fract();
+        let z = start + (2.0 * weyl - 1.0) * start.abs().max(1.0);
+        z.max(bounds.lower()[j]).min(bounds.upper()[j])
+    };
+    let z: Vec<f64> = shape.start().iter().enumerate().map(&mut elsewhere).collect();
+    for_each_row(model, shape, &z, &mut |row, reads| {
+        let known = match row {
+            Numbered::Definition(k) => recorded.definitions.row(k),
+            Numbered::Equation(number) => recorded.rows.row(number),
+        };
+        let read = match (
+            first_unknown(&reads.variables, known.variables),
+            first_unknown(&reads.definitions, known.definitions),
+        ) {
+            (Some(j), _) => shape.variable_name(j),
+            (None, Some(d)) => shape.definition_name(d),
+            (None, None) => return Ok(()),
+        };
+        Err(ModelError::ReadsVary { row: row.name(shape), read })
+    })
+}
+
+/// The first of sorted reads that is not among the known ones, which are sorted too.
+fn first_unknown(reads: &[usize], known: &[u32]) -> Option<usize> {
+    let mut known = known.iter();
+    reads.iter().copied().find(|&read| !known.any(|&k| k as usize == read))
+}
+
+/// A row by its number among those of its kind.
+#[derive(Clone, Copy)]
+enum Numbered {
+    Definition(usize),
+    Equation(usize),
+}
+
+impl Numbered {
+    fn name(self, shape: &Shape) -> String {
+        match self {
+            Numbered::Definition(k) => shape.definition_name(k),
+            Numbered::Equation(number) => shape.equation_name(shape.variable_of_row(number)),
+        }
+    }
+}
+
+/// Runs all definitions, then all equations at a point, and hands on what each reads, sorted.
+fn for_each_row(
+    model: &dyn RowsIn<f64>,
+    shape: &Shape,
+    z: &[f64],
+    with: &mut dyn FnMut(Numbered, &mut Reads) -> Result<(), ModelError>,
+) -> Result<(), ModelError> {
+    let unknown = vec![f64::NAN; shape.definition_count()];
+    let point = Point { z, definitions: &unknown, parameters: shape.parameter_values() };
+    let mut recorder = Recorder { point, reads: RefCell::new(Reads::default()) };
+    for (k, row) in all_rows(shape.definitions().iter().map(crate::Family::len)).enumerate() {
+        let number = Numbered::Definition(k);
+        let run = |r: &Reader<'_, f64>| model.row_in(Kind::Definition, row, r);
+        with(number, record(shape, &mut recorder, number, run)?)?;
+    }
+    for (number, row) in all_rows(shape.equations().map(crate::Family::len)).enumerate() {
+        let number = Numbered::Equation(number);
+        let run = |r: &Reader<'_, f64>| model.row_in(Kind::Equation, row, r);
+        with(number, record(shape, &mut recorder, number, run)?)?;
+    }
+    Ok(())
 }
 
 /// Variables that a row depends on, directly or through definitions; sorted.
-pub(super) fn support_of(reads: &RowReads, definition_supports: &[Vec<usize>]) -> Vec<usize> {
-    let mut support = reads.variables.clone();
-    for &d in &reads.definitions {
-        support.extend_from_slice(&definition_supports[d]);
+pub(super) fn support_of(reads: RowReads<'_>, definition_supports: &[Vec<u32>]) -> Vec<u32> {
+    let mut support = reads.variables.to_vec();
+    for &d in reads.definitions {
+        support.extend_from_slice(&definition_supports[d as usize]);
     }
     support.sort_unstable();
     support.dedup();
     support
 }
 
-/// Runs one row; reads that point nowhere are an error.
-fn record(
+/// Runs one row and gives its reads, sorted; reads that point nowhere are an error.
+fn record<'a>(
     shape: &Shape,
-    point: Point<'_>,
-    name: &dyn Fn() -> String,
+    recorder: &'a mut Recorder<'_>,
+    number: Numbered,
     row: impl FnOnce(&Reader<'_, f64>) -> Real<f64>,
-) -> Result<RowReads, ModelError> {
-    let recorder = Recorder { point, reads: RefCell::new(Reads::default()) };
-    let _ = row(&Reader::other(&recorder));
-    let Reads { mut variables, mut definitions, mut parameters } = recorder.reads.into_inner();
+) -> Result<&'a mut Reads, ModelError> {
+    recorder.reads.get_mut().clear();
+    let _ = row(&Reader::other(&*recorder));
+    let reads = recorder.reads.get_mut();
     let limits = [
-        ("variable", &mut variables, shape.n()),
-        ("definition", &mut definitions, shape.definition_count()),
-        ("parameter", &mut parameters, shape.parameter_values().len()),
+        ("variable", &mut reads.variables, shape.n()),
+        ("definition", &mut reads.definitions, shape.definition_count()),
+        ("parameter", &mut reads.parameters, shape.parameter_values().len()),
     ];
     for (kind, list, count) in limits {
         list.sort_unstable();
         list.dedup();
         if let Some(&index) = list.last().filter(|&&last| last >= count) {
-            return Err(ModelError::ReadOutOfRange { row: name(), kind, index, count });
+            return Err(ModelError::ReadOutOfRange { row: number.name(shape), kind, index, count });
         }
     }
-    Ok(RowReads { variables, definitions })
+    Ok(reads)
 }
 
 /// Pattern of a model whose rows come from one function: dependencies traced through the function,

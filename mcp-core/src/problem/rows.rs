@@ -5,13 +5,13 @@
 
 use super::Pattern;
 use super::ad::Pass;
-use super::record::{Recorded, RowReads, all_rows, support_of};
+use super::plan::{Plan, RowPlan};
+use super::record::{Recorded, all_rows, small, support_of};
 use crate::apart::Apart;
-use crate::model::{Family, Local, Model, Point, Reader, Row, Shape, Slots};
+use crate::model::{Local, Model, Point, Reader, Row, Shape, Slots};
 use crate::scalar::{Jet, Magnitude, Real, Scalar, Wide};
 use num_dual::DualSVec64;
 use std::marker::PhantomData;
-use std::ops::Range;
 
 /// The slot of a number that the row at hand does not read: it carries no tangent.
 const NO_LANE: u32 = u32::MAX;
@@ -106,86 +106,8 @@ impl LocalRow<'_> {
     }
 }
 
-fn small(k: usize) -> u32 {
-    u32::try_from(k).expect("fewer than 2^32 structural nonzeros")
-}
-
-/// What one row reads, as ranges into the lists of [`Plan`].
-#[derive(Clone, Debug)]
-struct RowPlan {
-    row: Row,
-    /// Variables read: their lanes come first.
-    variables: Range<usize>,
-    /// Definitions read: their lanes follow.
-    definitions: Range<usize>,
-    /// Where derivatives are added up: one target for each variable read, then, for each definition
-    /// read, one for each variable of its support.
-    targets: Range<usize>,
-}
-
-/// Who reads what and where derivatives go; fixed for a problem.
-#[derive(Debug, Default)]
-struct Plan {
-    equations: Vec<RowPlan>,
-    definitions: Vec<RowPlan>,
-    variable_of_row: Vec<usize>,
-    variables_read: Vec<u32>,
-    definitions_read: Vec<u32>,
-    /// Positions in the Jacobian for equations, in the own gradient for definitions.
-    targets: Vec<u32>,
-    /// Where the gradient of each definition stands among all.
-    gradient_of: Vec<Range<usize>>,
-}
-
 impl Plan {
-    fn new(shape: &Shape, recorded: &Recorded, pattern: &Pattern) -> Self {
-        let supports = &recorded.definition_supports;
-        let mut plan = Plan {
-            variable_of_row: (0..shape.row_count()).map(|r| shape.variable_of_row(r)).collect(),
-            ..Plan::default()
-        };
-        let rows = all_rows(shape.definitions().iter().map(Family::len));
-        for (k, (row, reads)) in rows.into_iter().zip(&recorded.definitions).enumerate() {
-            let place = |j| supports[k].binary_search(&j).expect("in the support");
-            let row = plan.row(row, reads, supports, place);
-            plan.definitions.push(row);
-            let start = plan.gradient_of.last().map_or(0, |range| range.end);
-            plan.gradient_of.push(start..start + supports[k].len());
-        }
-        let rows = all_rows(shape.equations().map(Family::len));
-        for (number, (row, reads)) in rows.into_iter().zip(&recorded.rows).enumerate() {
-            let i = plan.variable_of_row[number];
-            let place = |j| pattern.position(i, j).expect("the pattern has every support");
-            let row = plan.row(row, reads, supports, place);
-            plan.equations.push(row);
-        }
-        plan
-    }
-
-    /// Appends what a row reads and where its derivatives go.
-    fn row(
-        &mut self,
-        row: Row,
-        reads: &RowReads,
-        supports: &[Vec<usize>],
-        place: impl Fn(usize) -> usize,
-    ) -> RowPlan {
-        let from = (self.variables_read.len(), self.definitions_read.len(), self.targets.len());
-        self.variables_read.extend(reads.variables.iter().map(|&j| small(j)));
-        self.definitions_read.extend(reads.definitions.iter().map(|&d| small(d)));
-        self.targets.extend(reads.variables.iter().map(|&j| small(place(j))));
-        for &d in &reads.definitions {
-            self.targets.extend(supports[d].iter().map(|&j| small(place(j))));
-        }
-        RowPlan {
-            row,
-            variables: from.0..self.variables_read.len(),
-            definitions: from.1..self.definitions_read.len(),
-            targets: from.2..self.targets.len(),
-        }
-    }
-
-    /// Value of a row; its derivatives by variables are added to the row's targets in `gradient`.
+    /// Value of a row; its derivatives by variables go to the row's targets in `gradient`.
     /// `known` are the gradients of the definitions it may read.
     fn differentiate(
         &self,
@@ -202,9 +124,13 @@ impl Plan {
         let lanes = variables.len() + definitions.len();
         let row = LocalRow { kind, row: plan.row, point, slots: slots.view(), lanes };
         let mut used = variables.len();
+        // Every entry belongs to one row. Variables come first, each with a target of its own.
+        for &target in &targets[used..] {
+            gradient[target as usize] = 0.0;
+        }
         let value = model.evaluate(&row, &mut |lane, derivative| {
             if lane < variables.len() {
-                gradient[targets[lane] as usize] += derivative;
+                gradient[targets[lane] as usize] = derivative;
                 return;
             }
             // ∂f/∂d · ∂d/∂z; lanes arrive in order, and so do their targets.
@@ -267,7 +193,7 @@ pub(super) struct Rows {
 impl Rows {
     pub(super) fn new(shape: &Shape, recorded: &Recorded, pattern: &Pattern) -> Self {
         let plan = Plan::new(shape, recorded, pattern);
-        let definitions = plan.definitions.len();
+        let definitions = plan.definitions.ends.len();
         Rows {
             slots: SlotTable {
                 variables: vec![NO_LANE; shape.n()],
@@ -280,18 +206,19 @@ impl Rows {
     }
 
     fn residual(&mut self, rows: &dyn RowsIn<f64>, z: &[f64], parameters: &[f64], f: &mut [f64]) {
-        for (k, plan) in self.plan.definitions.iter().enumerate() {
+        for (k, plan) in self.plan.definitions.rows().enumerate() {
             let point = Point { z, definitions: &self.definition_values, parameters };
             let value = rows.row_in(Kind::Definition, plan.row, &Reader::plain(point));
             self.definition_values[k] = value.0;
         }
         let point = Point { z, definitions: &self.definition_values, parameters };
         let read = Reader::plain(point);
-        if f.len() > self.plan.equations.len() {
+        if f.len() > self.plan.variable_of_row.len() {
             f.fill(0.0);
         }
-        for (plan, &i) in self.plan.equations.iter().zip(&self.plan.variable_of_row) {
-            f[i] = rows.row_in(Kind::Equation, plan.row, &read).0;
+        let rows_of_families = all_rows(self.plan.equations.lengths.iter().copied());
+        for (row, &i) in rows_of_families.zip(&self.plan.variable_of_row) {
+            f[i as usize] = rows.row_in(Kind::Equation, row, &read).0;
         }
     }
 
@@ -303,25 +230,23 @@ impl Rows {
         jac: &mut [f64],
     ) {
         let Rows { plan, slots, definition_values, gradients } = self;
-        gradients.fill(0.0);
-        for (k, row) in plan.definitions.iter().enumerate() {
+        for (k, row) in plan.definitions.rows().enumerate() {
             let (known, own) = gradients.split_at_mut(plan.gradient_of[k].start);
             let point = Point { z, definitions: definition_values, parameters };
-            let row = (rows, Kind::Definition, row);
+            let row = (rows, Kind::Definition, &row);
             definition_values[k] = plan.differentiate(row, point, slots, known, own);
         }
-        jac.fill(0.0);
         if let Some(f) = &mut f
-            && f.len() > plan.equations.len()
+            && f.len() > plan.variable_of_row.len()
         {
             f.fill(0.0);
         }
         let point = Point { z, definitions: definition_values, parameters };
-        for (row, &i) in plan.equations.iter().zip(&plan.variable_of_row) {
-            let row = (rows, Kind::Equation, row);
+        for (row, &i) in plan.equations.rows().zip(&plan.variable_of_row) {
+            let row = (rows, Kind::Equation, &row);
             let value = plan.differentiate(row, point, slots, gradients, jac);
             if let Some(f) = &mut f {
-                f[i] = value;
+                f[i as usize] = value;
             }
         }
     }
@@ -341,11 +266,19 @@ impl Rows {
 /// Pattern of the Jacobian: for every row the union of what it reads and of the supports of the
 /// definitions it reads.
 pub(super) fn pattern_of(shape: &Shape, recorded: &Recorded) -> Pattern {
-    let mut row_columns = vec![Vec::new(); shape.n()];
-    for (row, reads) in recorded.rows.iter().enumerate() {
-        row_columns[shape.variable_of_row(row)] = support_of(reads, &recorded.definition_supports);
-    }
-    Pattern::from_rows(&row_columns)
+    Pattern::from_row_lists(shape.n(), |i, put| {
+        let Some(row) = shape.row_of_variable(i) else { return };
+        let reads = recorded.rows.row(row);
+        if reads.definitions.is_empty() {
+            for &j in reads.variables {
+                put(j as usize);
+            }
+        } else {
+            for j in support_of(reads, &recorded.definition_supports) {
+                put(j as usize);
+            }
+        }
+    })
 }
 
 /// Derivatives by [`Jet`].

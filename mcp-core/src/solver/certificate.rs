@@ -141,46 +141,36 @@ pub(crate) struct Certifier {
     column_max: Vec<i32>,
     /// For every variable one further on the way to the representative of its block.
     block: Vec<usize>,
-    magnitudes: Vec<Magnitudes>,
+    /// By representative of a block: means at the point and at the start.
+    mean_z: Vec<Mean>,
+    mean_start: Vec<Mean>,
     weight: Vec<f64>,
     row_size: Vec<f64>,
 }
 
-/// Binary exponents of the variables of a block, in column scales: sums and numbers.
-#[derive(Clone, Copy, Debug, Default)]
-struct Magnitudes {
-    z: Mean,
-    start: Mean,
-}
+/// Sum and number of binary exponents of the variables of a block, in column scales.
+type Mean = [i64; 2];
 
-impl Magnitudes {
-    /// What the gauge of the block is: 0 if all is 0. 2⁻¹³ is about 10⁻⁴.
-    fn gauge(&self) -> i32 {
-        match (self.z.value(), self.start.value()) {
-            (Some(at_z), Some(at_start)) => at_z.max(at_start - 13),
-            (Some(gauge), None) | (None, Some(gauge)) => gauge,
-            (None, None) => 0,
-        }
+/// Takes in `z`, unless it is 0.
+fn add(mean: &mut Mean, z: f64, scale: i32) {
+    if z != 0.0 && z.is_finite() {
+        mean[0] += i64::from(exponent(z) - scale);
+        mean[1] += 1;
     }
 }
 
-#[derive(Clone, Copy, Debug, Default)]
-struct Mean {
-    sum: i64,
-    count: i64,
+fn value([sum, count]: Mean) -> Option<i32> {
+    let mean = (count > 0).then(|| sum / count)?;
+    Some(i32::try_from(mean).expect("a mean of small exponents is small"))
 }
 
-impl Mean {
-    fn add(&mut self, z: f64, scale: i32) {
-        if z != 0.0 && z.is_finite() {
-            self.sum += i64::from(exponent(z) - scale);
-            self.count += 1;
-        }
-    }
-
-    fn value(&self) -> Option<i32> {
-        let mean = (self.count > 0).then(|| self.sum / self.count)?;
-        Some(i32::try_from(mean).expect("a mean of small exponents is small"))
+/// What the gauge of a block is, from its means at the point and at the start: 0 if all is 0. 2⁻¹³ is
+/// about 10⁻⁴.
+fn gauge(at_z: Mean, at_start: Mean) -> i32 {
+    match (value(at_z), value(at_start)) {
+        (Some(at_z), Some(at_start)) => at_z.max(at_start - 13),
+        (Some(gauge), None) | (None, Some(gauge)) => gauge,
+        (None, None) => 0,
     }
 }
 
@@ -189,17 +179,18 @@ const NONE: i32 = i32::MIN / 4;
 
 impl Certifier {
     pub(crate) fn resize(&mut self, n: usize, nnz: usize) {
-        self.f.resize(n, 0.0);
-        self.jac.resize(nnz, 0.0);
+        // Fresh zeros cost no memory before they are written.
+        self.jac = vec![0.0; nnz];
+        for list in [&mut self.f, &mut self.weight, &mut self.row_size] {
+            *list = vec![0.0; n];
+        }
         for scale in
             [&mut self.row_scale, &mut self.column_scale, &mut self.row_max, &mut self.column_max]
         {
-            scale.resize(n, 0);
+            *scale = vec![0; n];
         }
-        self.weight.resize(n, 0.0);
-        self.row_size.resize(n, 0.0);
-        self.block.resize(n, 0);
-        self.magnitudes.resize(n, Magnitudes::default());
+        self.block = vec![0; n];
+        (self.mean_z, self.mean_start) = (vec![[0; 2]; n], vec![[0; 2]; n]);
     }
 
     /// `F` at the point judged last.
@@ -348,15 +339,17 @@ impl Certifier {
 
     /// `w_j = |z_j| + τ_j`.
     fn weigh(&mut self, z: &[f64], start: &[f64]) {
-        self.magnitudes.fill(Magnitudes::default());
-        for j in 0..z.len() {
-            let block = self.representative(j);
-            self.magnitudes[block].z.add(z[j], self.column_scale[j]);
-            self.magnitudes[block].start.add(start[j], self.column_scale[j]);
+        for j in (0..z.len()).filter(|&j| self.block[j] == j) {
+            (self.mean_z[j], self.mean_start[j]) = ([0; 2], [0; 2]);
         }
         for j in 0..z.len() {
             let block = self.representative(j);
-            let gauge = self.magnitudes[block].gauge();
+            add(&mut self.mean_z[block], z[j], self.column_scale[j]);
+            add(&mut self.mean_start[block], start[j], self.column_scale[j]);
+        }
+        for j in 0..z.len() {
+            let block = self.representative(j);
+            let gauge = gauge(self.mean_z[block], self.mean_start[block]);
             let exponent = (gauge + self.column_scale[j]).clamp(-1000, 1000);
             self.weight[j] = z[j].abs() + 2_f64.powi(exponent);
         }

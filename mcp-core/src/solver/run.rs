@@ -7,7 +7,7 @@ use super::solution::Stats;
 use super::stage::Stage;
 use super::status::Status;
 use super::workspace::Workspace;
-use crate::globalise::StallWatch;
+use crate::globalise::{Forcing, StallWatch};
 use crate::problem::{Pattern, Problem};
 use std::ops::ControlFlow::{self, Break, Continue};
 use std::time::Instant;
@@ -68,6 +68,9 @@ pub(super) struct Run<'a> {
     pub(super) certificate: Option<Certificate>,
     began: Option<Instant>,
     stall: StallWatch,
+    forcing: Forcing,
+    /// How accurately iterative linear solvers solve the system at hand.
+    accuracy: f64,
     /// What the step to the iterate was.
     pub(super) last: (Direction, f64),
     pub(super) stage: Stage,
@@ -96,6 +99,8 @@ impl<'a> Run<'a> {
             // The only clock, and only where a limit is set.
             began: options.time_limit.map(|_| Instant::now()),
             stall: StallWatch::new(f64::INFINITY),
+            forcing: Forcing::default(),
+            accuracy: 0.0,
             last: (Direction::Start, 0.0),
             stage: Stage::default(),
             system_is_singular: false,
@@ -149,6 +154,7 @@ impl<'a> Run<'a> {
     /// Monitor, limits, stall; then `Da`, `Db` and `∇θ` at the iterate. Iterations begin here.
     pub(super) fn begin_iteration(&mut self) -> Flow {
         self.work.linearise(self.problem.pattern());
+        self.accuracy = self.forcing.next(self.work.current.merit);
         if self.options.criterion.needs_gradient() {
             self.end_if_solved()?;
         }
@@ -259,7 +265,9 @@ impl<'a> Run<'a> {
     /// Newton direction of the Fischer–Burmeister equations, `H d = −Φ`, if `H` is not singular.
     pub(super) fn fb_direction(&mut self) -> Option<Direction> {
         self.stats.factorisations += 1;
+        let accuracy = self.accuracy;
         let work = &mut *self.work;
+        work.system.set_accuracy(accuracy);
         let (a, b) = (&work.da[..], &work.db[..]);
         let solved = work.system.solve(&work.jac, (a, b), &work.current.phi, &mut work.direction);
         self.system_is_singular = !solved;
@@ -269,7 +277,9 @@ impl<'a> Run<'a> {
     /// Newton direction of the min map, if its linearisation is not singular.
     pub(super) fn min_direction(&mut self) -> Option<Direction> {
         self.stats.factorisations += 1;
+        let accuracy = self.accuracy;
         let work = &mut *self.work;
+        work.system.set_accuracy(accuracy);
         work.linearise_min(self.problem.shape());
         let (a, b) = (&work.min_a[..], &work.min_b[..]);
         let solved = work.system.solve(&work.jac, (a, b), &work.min, &mut work.direction);

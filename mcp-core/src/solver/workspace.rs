@@ -2,6 +2,7 @@
 
 use super::certificate::Certifier;
 use super::diagnosis::Diagnosis;
+use super::newton_system::NewtonSystem;
 use super::options::Options;
 use super::{pivot, robust};
 use crate::error::ModelError;
@@ -9,7 +10,7 @@ use crate::globalise::Reference;
 use crate::linalg::LinearSolver;
 use crate::model::Shape;
 use crate::ncp::{Branch, Reformulation, mid};
-use crate::problem::{Pattern, Problem, WithDiagonal};
+use crate::problem::{Pattern, Problem};
 
 /// A point with `F`, `Φ` and the merit `θ = ½‖Φ‖²`; NaN where `F` is not finite or `θ` overflows.
 #[derive(Clone, Debug, Default)]
@@ -23,7 +24,10 @@ pub(super) struct Point {
 impl Point {
     pub(super) fn resize(&mut self, n: usize) {
         for list in [&mut self.z, &mut self.f, &mut self.phi] {
-            list.resize(n, 0.0);
+            if list.len() != n {
+                // Fresh zeros cost no memory before they are written.
+                *list = vec![0.0; n];
+            }
         }
     }
 
@@ -71,62 +75,6 @@ pub(super) struct Natural {
     pub(super) residual: f64,
     pub(super) worst: usize,
     pub(super) active: usize,
-}
-
-/// The matrix of a Newton system `H d = r`, assembled on the pattern of `J` with the diagonal.
-pub(super) struct NewtonSystem {
-    /// The pattern of `J`.
-    source: Pattern,
-    with_diagonal: WithDiagonal,
-    values: Vec<f64>,
-    linear: Box<dyn LinearSolver>,
-    /// A linear solver the caller brought is kept whatever the pattern.
-    is_custom: bool,
-}
-
-impl NewtonSystem {
-    /// `H = diag(a) + diag(b) J`.
-    fn assemble(&mut self, jac: &[f64], a: &[f64], b: &[f64]) {
-        let WithDiagonal { pattern, entries, diagonal } = &self.with_diagonal;
-        if entries.len() < pattern.nnz() {
-            self.values.fill(0.0);
-        }
-        for ((&to, &value), &i) in entries.iter().zip(jac).zip(self.source.rows()) {
-            self.values[to] = b[i] * value;
-        }
-        for (&to, &a) in diagonal.iter().zip(a) {
-            self.values[to] += a;
-        }
-    }
-
-    /// Solves `(diag(a) + diag(b) J) d = −r`; false if the matrix is singular or `d` not finite.
-    pub(super) fn solve(
-        &mut self,
-        jac: &[f64],
-        (a, b): (&[f64], &[f64]),
-        r: &[f64],
-        d: &mut [f64],
-    ) -> bool {
-        if self.factor(jac, (a, b)).is_none() {
-            return false;
-        }
-        self.back_solve(r, d);
-        d.iter().all(|d| d.is_finite())
-    }
-
-    /// Factors `diag(a) + diag(b) J` and returns its pivot ratio; `None` if it is singular.
-    pub(super) fn factor(&mut self, jac: &[f64], (a, b): (&[f64], &[f64])) -> Option<f64> {
-        self.assemble(jac, a, b);
-        self.linear.factor(&self.values).ok().map(|info| info.pivot_ratio)
-    }
-
-    /// `d` of the system factored last, with the right-hand side `−r`.
-    pub(super) fn back_solve(&mut self, r: &[f64], d: &mut [f64]) {
-        for (d, r) in d.iter_mut().zip(r) {
-            *d = -r;
-        }
-        self.linear.solve(d);
-    }
 }
 
 /// Everything a solve needs; kept for the next problem of the same pattern, made anew for another.
@@ -177,18 +125,7 @@ impl Workspace {
         options: &Options,
         custom: &mut Option<Box<dyn LinearSolver>>,
     ) -> Result<Self, ModelError> {
-        let with_diagonal = pattern.with_diagonal();
-        if let Some(linear) = custom {
-            linear.analyse(&with_diagonal.pattern)?;
-        }
-        let is_custom = custom.is_some();
-        let linear = if let Some(linear) = custom.take() {
-            linear
-        } else {
-            let mut linear = options.linear.solver_for(&with_diagonal.pattern)?;
-            linear.analyse(&with_diagonal.pattern)?;
-            linear
-        };
+        let system = NewtonSystem::new(pattern, options, custom)?;
         let (n, nnz) = (pattern.n(), pattern.nnz());
         let mut workspace = Workspace {
             rows: Vec::with_capacity(n),
@@ -208,13 +145,7 @@ impl Workspace {
             min_b: vec![0.0; n],
             zeta: vec![0.0; n],
             slope: vec![0.0; n],
-            system: NewtonSystem {
-                source: pattern.clone(),
-                values: vec![0.0; with_diagonal.pattern.nnz()],
-                with_diagonal,
-                linear,
-                is_custom,
-            },
+            system,
             reference: Reference::new(options.nonmonotone, options.memory),
             certifier: Certifier::default(),
             robust: None,
@@ -230,12 +161,12 @@ impl Workspace {
 
     /// Whether this workspace was made for that pattern.
     pub(super) fn fits(&self, pattern: &Pattern) -> bool {
-        self.system.source == *pattern
+        self.system.fits(pattern)
     }
 
     /// The linear solver the caller brought, if it was one.
     pub(super) fn into_custom(self) -> Option<Box<dyn LinearSolver>> {
-        self.system.is_custom.then_some(self.system.linear)
+        self.system.into_custom()
     }
 
     /// Bounds of a new solve.

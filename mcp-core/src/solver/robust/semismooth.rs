@@ -146,7 +146,8 @@ impl Search<'_, '_> {
         if !ratio.is_some_and(|ratio| ratio > SINGULAR) {
             return false;
         }
-        run.work.system.back_solve(&memory.here.phi, &mut memory.direction);
+        let r = &memory.here.phi;
+        run.work.system.back_solve(&memory.jac, matrix, r, &mut memory.direction);
         let slope: f64 = memory.gradient.iter().zip(&memory.direction).map(|(g, d)| g * d).sum();
         // False for NaN.
         slope < 0.0

@@ -77,7 +77,12 @@ impl Search<'_, '_> {
                 let matrix = (&memory.a[..], &memory.b[..]);
                 let ratio = run.work.system.factor(&memory.jac, matrix);
                 ratio.is_some_and(|ratio| ratio > 1e-15) && {
-                    run.work.system.back_solve(&memory.rhs, &mut memory.direction);
+                    run.work.system.back_solve(
+                        &memory.jac,
+                        matrix,
+                        &memory.rhs,
+                        &mut memory.direction,
+                    );
                     memory.direction.iter().all(|d| d.is_finite())
                 }
             } else {

@@ -76,7 +76,7 @@ impl Search<'_, '_> {
         if !ratio.is_some_and(|ratio| ratio > 1e-15) {
             return false;
         }
-        system.back_solve(&memory.rhs, &mut memory.direction);
+        system.back_solve(&memory.jac, matrix, &memory.rhs, &mut memory.direction);
         memory.direction.iter().all(|d| d.is_finite())
     }
 }
