@@ -19,7 +19,7 @@
 //! four, found by golden section on its profit: no derivative and nothing of the solver in it.
 #![allow(clippy::print_stdout, reason = "an example prints its results")]
 
-use mcp_core::{Method, ModelError, Options, mcp, solve};
+use mcp_core::{Method, ModelError, Options, certify, mcp, solve};
 use std::error::Error;
 
 const FIRMS: usize = 5;
@@ -67,7 +67,12 @@ fn main() -> Result<(), Box<dyn Error>> {
         }
     }
 
-    let view = model.view(&solve(&model, &Options::default())?.solved()?)?;
+    let solution = solve(&model, &Options::default())?.solved()?;
+    let accuracy = certify(&model, &solution)?;
+    println!("\n{accuracy}");
+    assert!(accuracy.is_proved());
+
+    let view = model.view(&solution)?;
     let q = view.q.values();
     println!("\nfirm    output   best answer    profit");
     for i in 0..FIRMS {

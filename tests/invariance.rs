@@ -4,9 +4,10 @@
 mod common;
 
 use common::{FREE, NONNEGATIVE, affine, dense, siconos, solve, solve_from, watch};
-use mcp_core::testing;
+use mcp_core::testing::{self, collection};
 use mcp_core::{
-    AdProblem, Criterion, Engine, Method, Options, Pattern, Problem, Shape, Status, examine,
+    AdProblem, Criterion, Engine, Method, Options, Pattern, Problem, Shape, Stage, StageRecord,
+    Status, examine,
 };
 use std::sync::Arc;
 
@@ -134,45 +135,75 @@ impl Problem for InUnits<'_> {
     }
 }
 
+/// Iterates in the original units, step letters and stages of `Robust`.
+type Path = (Vec<Vec<u64>>, String, Vec<StageRecord>);
+
+fn path_in_units(problem: &mut dyn Problem, start: &[f64], units: [&[f64]; 2]) -> Path {
+    let [rows, columns] = units.map(<[f64]>::to_vec);
+    let back = columns.clone();
+    let mut scaled = InUnits::new(problem, start, rows, columns);
+    let (solution, seen) = watch(&mut scaled, None, &Options::new(Method::Robust));
+    let zs = seen
+        .iter()
+        .map(|it| it.z.iter().zip(&back).map(|(z, c)| (z / c).to_bits()).collect::<Vec<_>>());
+    let letters: String = seen.iter().map(|it| it.letter).collect();
+    (zs.collect(), letters, solution.stages.clone())
+}
+
 /// The law of the default method: powers of two, of equations or of variables, even or odd, change
-/// nothing but units.
+/// nothing but units. Returns the path.
+fn assert_units_do_not_matter(
+    name: &str,
+    problem: &mut dyn Problem,
+    start: &[f64],
+    powers: &[i32],
+) -> Path {
+    let n = start.len();
+    let ones = vec![1.0; n];
+    let own = path_in_units(problem, start, [&ones, &ones]);
+    for k in powers {
+        let units: Vec<f64> =
+            (0..n).map(|i| 2_f64.powi(k * [-3, 2, 0, -2, 3, 1, -1][i % 7])).collect();
+        for (what, units) in
+            [("rows", [&units, &ones]), ("columns", [&ones, &units]), ("both", [&units, &units])]
+        {
+            let other = path_in_units(problem, start, units.map(Vec::as_slice));
+            assert_eq!(other, own, "{name} from {start:?}: {what} by 2^{k}");
+        }
+    }
+    own
+}
+
 #[test]
 fn robust_takes_the_same_path_in_all_binary_units() {
-    let robust = Options::new(Method::Robust);
     let mut problems = testing::all().unwrap();
     problems.extend([testing::billups().unwrap(), testing::obstacle(12).unwrap()]);
     let mut steps = 0;
     for mut known in problems {
         for start in known.starts.clone() {
             // Where a start is 0 and so is F, nothing says how large its units are.
-            let n = start.len();
-            let path = |problem: &mut dyn Problem, rows: Vec<f64>, columns: Vec<f64>| {
-                let back = columns.clone();
-                let mut scaled = InUnits::new(problem, &start, rows, columns);
-                let (solution, seen) = watch(&mut scaled, None, &robust);
-                let zs = seen.iter().map(|it| {
-                    it.z.iter().zip(&back).map(|(z, c)| (z / c).to_bits()).collect::<Vec<_>>()
-                });
-                let letters: String = seen.iter().map(|it| it.letter).collect();
-                (zs.collect::<Vec<_>>(), letters, solution.stages.clone())
-            };
-            let ones = vec![1.0; n];
-            let own = path(&mut known.problem, ones.clone(), ones.clone());
-            steps += own.0.len();
-            for k in [1, 2, -3, 8, 11] {
-                let units: Vec<f64> =
-                    (0..n).map(|i| 2_f64.powi(k * [-3, 2, 0, -2, 3, 1, -1][i % 7])).collect();
-                let case = |what: &str| format!("{} from {start:?}: {what} by 2^{k}", known.name);
-                let rows = path(&mut known.problem, units.clone(), ones.clone());
-                assert_eq!(rows, own, "{}", case("rows"));
-                let columns = path(&mut known.problem, ones.clone(), units.clone());
-                assert_eq!(columns, own, "{}", case("columns"));
-                let both = path(&mut known.problem, units.clone(), units);
-                assert_eq!(both, own, "{}", case("both"));
-            }
+            let powers = [1, 2, -3, 8, 11];
+            let (zs, ..) =
+                assert_units_do_not_matter(&known.name, &mut known.problem, &start, &powers);
+            steps += zs.len();
         }
     }
     assert!(steps > 100, "{steps}");
+}
+
+#[test]
+fn the_stages_after_the_crash_take_the_same_path_in_all_binary_units() {
+    let mut stages = Vec::new();
+    for name in ["mathiray-1", "powell-split-3", "pies-3", "freudroth", "colvdual-2"] {
+        let instance = collection::named(name).unwrap().unwrap();
+        let mut problem = instance.problem().unwrap();
+        let (_, _, records) =
+            assert_units_do_not_matter(name, &mut *problem, &instance.start, &[1, -3]);
+        stages.extend(records.iter().map(|record| record.stage));
+    }
+    for stage in [Stage::Leap, Stage::Sized, Stage::Josephy, Stage::Smoothing, Stage::Proximal] {
+        assert!(stages.contains(&stage), "{stage} was not reached");
+    }
 }
 
 /// A known limit, stated in the documentation: the merit adds squares of rows in different units.

@@ -17,7 +17,7 @@ fn only(edit: impl FnOnce(&mut Robust)) -> Options {
             &mut r.penalised,
             &mut r.boxes,
             &mut r.rescale,
-            &mut r.unscaled,
+            &mut r.sized,
             &mut r.proximal,
             &mut r.starts,
         ] {
@@ -83,7 +83,7 @@ fn smoothing_and_penalties_alone_solve_a_monotone_problem() {
     for (edit, stage) in [
         ((|r| r.smoothing = 70) as fn(&mut Robust), Stage::Smoothing),
         (|r| r.penalised = 120, Stage::Penalised),
-        (|r| r.unscaled = 100, Stage::Unscaled),
+        (|r| r.sized = 40, Stage::Sized),
     ] {
         let alone = only(|r| {
             (r.crash, r.semismooth) = (0, 0);

@@ -55,6 +55,7 @@
 //! | \[DF97\] | S. P. Dirkse, M. C. Ferris (1997), Crash techniques for large-scale complementarity problems. In: Complementarity and Variational Problems: State of the Art, SIAM |
 //! | \[DFK96\] | T. De Luca, F. Facchinei, C. Kanzow (1996), A semismooth equation approach to the solution of nonlinear complementarity problems. Math. Prog. 75 |
 //! | \[DM02\] | E. D. Dolan, J. J. Moré (2002), Benchmarking optimization software with performance profiles. Math. Prog. 91 |
+//! | \[DS96\] | J. E. Dennis, R. B. Schnabel (1996), Numerical Methods for Unconstrained Optimization and Nonlinear Equations. SIAM (first 1983) |
 //! | \[EW96\] | S. C. Eisenstat, H. F. Walker (1996), Choosing the forcing terms in an inexact Newton method. SIAM J. Sci. Comput. 17 |
 //! | \[Fat79\] | Y. Fathi (1979), Computational complexity of LCPs associated with positive definite symmetric matrices. Math. Prog. 17 |
 //! | \[FFG99\] | M. C. Ferris, R. Fourer, D. M. Gay (1999), Expressing complementarity problems in an algebraic modeling language and communicating them to solvers. SIAM J. Optim. 9 |
@@ -100,6 +101,7 @@ mod apart;
 pub mod certify;
 pub mod economics;
 pub mod error;
+mod generic;
 pub mod globalise;
 pub mod kkt;
 pub mod language;

@@ -52,6 +52,13 @@ pub enum Proof {
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Refusal {
+    /// More pairs off their bounds than a proof is tried for: its cost grows with their cube.
+    TooLarge {
+        /// Their number.
+        off: usize,
+        /// The largest number that is tried.
+        limit: usize,
+    },
     /// `F` or a derivative is not finite at the point.
     NotFinite {
         /// The equation.
@@ -156,6 +163,9 @@ impl fmt::Display for Proof {
 impl fmt::Display for Refusal {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
+            Refusal::TooLarge { off, limit } => {
+                write!(f, "{off} variables are off their bounds, and at most {limit} are tried")
+            }
             Refusal::NotFinite { equation } => {
                 write!(f, "{equation} or its derivatives are not finite at the point")
             }

@@ -4,6 +4,7 @@ use super::accuracy::Refusal;
 use super::boxes::OverBoxes;
 use super::pairs::{Pairs, Side};
 use super::points;
+use crate::linalg::smallest_singular;
 use crate::model::Shape;
 use crate::problem::Pattern;
 use crate::scalar::{Interval, Scalar};
@@ -183,13 +184,10 @@ impl<'a> ActiveSystem<'a> {
     /// Variables that can move with the least change of the equations: the large entries of the right
     /// singular vector of the smallest singular value. None are known where the block overflows.
     pub(super) fn movable(&self, shape: &Shape, off: &[usize]) -> Vec<String> {
-        if !self.block.iter().all(Scalar::is_finite) {
+        let Some((_, direction)) = smallest_singular(self.block.clone()) else {
             return Vec::new();
-        }
-        let svd = self.block.clone().svd(false, true);
-        let directions = svd.v_t.expect("the right singular vectors were asked for");
-        let direction = directions.row(svd.singular_values.imin());
-        let most = direction.amax();
+        };
+        let most = direction.iter().fold(0.0_f64, |most, d| most.max(d.abs()));
         let moves = |k: &usize| direction[*k].abs() >= 0.1 * most;
         (0..off.len()).filter(moves).map(|k| shape.variable_name(off[k])).collect()
     }

@@ -38,7 +38,7 @@
 //! computes from data alone, in `f64`, is data.
 //!
 //! Cost: dense; for `m` pairs in `I` a box takes `m/8` evaluations of `F` with 8 interval lanes
-//! and `m³` interval products. Meant for `m` up to a few hundred.
+//! and `m³` interval products. More than 500 such pairs are refused ([`Refusal::TooLarge`]).
 
 mod accuracy;
 mod boxes;
@@ -61,6 +61,8 @@ use boxes::OverBoxes;
 use krawczyk::{ActiveSystem, Attempt};
 use pairs::Pairs;
 
+/// Most pairs off their bounds: beyond, dense interval matrices take minutes.
+const MOST_OFF: usize = 500;
 /// Condition beyond which a block counts as singular: no digit of its inverse is right.
 const SINGULAR: f64 = 1e15;
 /// A margin below which a pair that could not be decided is called degenerate: `√eps`.
@@ -115,11 +117,16 @@ fn accuracy_at(problem: &mut dyn OverBoxes, z: &[f64], external: Option<String>)
         return Accuracy::unknown(Refusal::NotFinite { equation });
     }
     let pairs = Pairs::at(z, &shape, &certifier);
+    let weakest =
+        pairs.weakest().map(|(i, margin)| Weakest { variable: shape.variable_name(i), margin });
+    let off = pairs.off.len();
+    if off > MOST_OFF {
+        let refusal = Refusal::TooLarge { off, limit: MOST_OFF };
+        return Accuracy { weakest, ..Accuracy::unknown(refusal) };
+    }
     let system = ActiveSystem::new(problem, z, &pairs, &certifier);
     let mut accuracy = Accuracy {
-        weakest: pairs
-            .weakest()
-            .map(|(i, margin)| Weakest { variable: shape.variable_name(i), margin }),
+        weakest,
         condition: system.condition,
         newton_step: system.newton_step,
         ..Accuracy::unknown(Refusal::Singular { movable: Vec::new() })

@@ -333,3 +333,24 @@ fn an_equation_without_finite_derivative_is_named() {
     };
     assert_eq!(equation, "f[y]");
 }
+
+mcp! {
+    model Separate {
+        data { items: Set, target[items]: f64 }
+        var x[i in items] free;
+        eq balance[i in items]: x[i] - target[i] complements x[i];
+    }
+}
+
+#[test]
+fn more_variables_off_their_bounds_than_the_limit_are_refused_at_once() {
+    let separate = |n: usize| {
+        let names: Vec<String> = (0..n).map(|i| format!("i{i}")).collect();
+        let model = Separate::builder().items(names).target(vec![1.0; n]).build().unwrap();
+        certify_at(&model, &vec![1.0; n])
+    };
+    assert!(separate(20).is_proved());
+    let refused = separate(MOST_OFF + 1);
+    let expected = Refusal::TooLarge { off: MOST_OFF + 1, limit: MOST_OFF };
+    assert_eq!(refused.proof, Proof::Refused(expected), "{refused}");
+}

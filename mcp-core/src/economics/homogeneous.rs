@@ -1,6 +1,7 @@
 //! [`check_homogeneous`]: do only relative prices matter?
 
 use crate::error::ModelError;
+use crate::generic::generic;
 use crate::model::{Model, Shape};
 use crate::problem::{AdProblem, Problem};
 use std::fmt;
@@ -93,12 +94,10 @@ fn degrees(problem: &mut dyn Problem, names: &[&str]) -> Result<Homogeneity, Mod
         let z = near_start(&shape, point);
         problem.evaluate(&z, Some(&mut f), Some(&mut jac));
         let (mut euler, mut terms) = (vec![0.0; shape.n()], vec![0.0; shape.n()]);
-        for (k, i, j) in problem.pattern().entries() {
-            if is_scaled[j] {
-                euler[i] += jac[k] * z[j];
-            }
-            terms[i] += (jac[k] * z[j]).abs();
+        for (k, i, j) in problem.pattern().entries().filter(|&(.., j)| is_scaled[j]) {
+            euler[i] += jac[k] * z[j];
         }
+        problem.pattern().add_sizes(&jac, |j| z[j], &mut terms);
         for &i in &equations {
             let tolerance = TOLERANCE * terms[i].max(f[i].abs());
             let holds = |k: i32| (euler[i] - f64::from(k) * f[i]).abs() <= tolerance;
@@ -112,10 +111,8 @@ fn degrees(problem: &mut dyn Problem, names: &[&str]) -> Result<Homogeneity, Mod
 
 /// A point near the start, inside the bounds: each number is moved by its own part, up to a third.
 fn near_start(shape: &Shape, point: usize) -> Vec<f64> {
-    /// Multiples of it fill the unit interval evenly.
-    const GOLDEN: f64 = 0.618_033_988_749_894_9;
     let moved = |(j, &start): (usize, &f64)| {
-        let part = ((1 + j + point * shape.n()) as f64 * GOLDEN).fract() * 2.0 - 1.0;
+        let part = 2.0 * generic(j + point * shape.n()) - 1.0;
         if start == 0.0 { 0.5 + part / 3.0 } else { start * (1.0 + part / 3.0) }
     };
     let mut z: Vec<f64> = shape.start().iter().enumerate().map(moved).collect();

@@ -1,6 +1,7 @@
 //! [`check_walras`]: does the market clear whose equation was dropped?
 
 use crate::error::ModelError;
+use crate::linalg::smallest_singular;
 use crate::model::{BoundKind, Model};
 use crate::problem::{AdProblem, Problem};
 use crate::report::State;
@@ -106,9 +107,7 @@ fn dropped(problem: &mut dyn Problem, solution: &Solution) -> WalrasCheck {
     let (mut f, mut jac) = (vec![0.0; z.len()], vec![0.0; problem.pattern().nnz()]);
     problem.evaluate(z, Some(&mut f), Some(&mut jac));
     let mut terms = vec![0.0; z.len()];
-    for (k, i, j) in problem.pattern().entries() {
-        terms[i] += (jac[k] * z[j]).abs();
-    }
+    problem.pattern().add_sizes(&jac, |j| z[j], &mut terms);
     let shape = &solution.shape;
     let is_dropped = |&i: &usize| {
         shape.bounds().kind(i) == BoundKind::Fixed && shape.row_of_variable(i).is_some()
@@ -167,14 +166,7 @@ fn movable(problem: &dyn Problem, solution: &Solution, jac: &[f64]) -> Vec<Strin
 
 /// A vector that a square matrix takes to 0, with 1 as its largest entry, if there is one.
 fn null_vector(matrix: DMatrix<f64>) -> Option<Vec<f64>> {
-    if matrix.is_empty() || !matrix.iter().all(|entry| entry.is_finite()) {
-        return None;
-    }
-    let svd = matrix.svd(false, true);
-    let (smallest, &value) =
-        svd.singular_values.iter().enumerate().min_by(|a, b| a.1.total_cmp(b.1))?;
-    let right = svd.v_t?;
-    let null = right.row(smallest);
+    let (value, null) = smallest_singular(matrix)?;
     let largest = null.iter().copied().max_by(|a, b| a.abs().total_cmp(&b.abs()))?;
     (value <= SINGULAR).then(|| null.iter().map(|entry| entry / largest).collect())
 }

@@ -31,6 +31,13 @@ pub struct Reference {
 /// Weight of the past in [`Nonmonotone::ZhangHager`]; [ZH04](crate#references) uses 0.85 in its experiments.
 const ETA: f64 = 0.85;
 
+/// Monotone: the current merit.
+impl Default for Reference {
+    fn default() -> Self {
+        Reference::new(Nonmonotone::Off, 1)
+    }
+}
+
 impl Reference {
     /// Nothing accepted yet; `memory` merits are remembered, at least one.
     pub fn new(kind: Nonmonotone, memory: usize) -> Self {
@@ -39,9 +46,9 @@ impl Reference {
         Reference { kind, memory, history, next: 0, mean: 0.0, weight: 0.0 }
     }
 
-    /// Whether it remembers this many merits.
-    pub(crate) fn remembers(&self, memory: usize) -> bool {
-        self.memory == memory.max(1)
+    /// Whether it is of this kind and remembers this many merits.
+    pub(crate) fn remembers(&self, kind: Nonmonotone, memory: usize) -> bool {
+        self.kind == kind && self.memory == memory.max(1)
     }
 
     /// Forgets everything; keeps its memory allocated.

@@ -23,6 +23,7 @@ mod faer_sparse;
 mod multigrid;
 mod nalgebra_lu;
 mod pivots;
+mod singular;
 mod stack_lu;
 mod storage;
 #[cfg(test)]
@@ -34,6 +35,7 @@ pub use faer_dense::FaerDenseLu;
 pub use faer_sparse::FaerSparseLu;
 pub use multigrid::{Grid, MultigridCg};
 pub use nalgebra_lu::NalgebraLu;
+pub(crate) use singular::smallest_singular;
 pub use stack_lu::StackLu;
 
 use crate::problem::Pattern;

@@ -133,6 +133,21 @@ impl Pattern {
         Some((k, self.rows()[k], column))
     }
 
+    /// `sizes_i += Σ_j |v_ij w_j|`: how large the terms of the rows are.
+    pub(crate) fn add_sizes(
+        &self,
+        values: &[f64],
+        weight: impl Fn(usize) -> f64,
+        sizes: &mut [f64],
+    ) {
+        for j in 0..self.n() {
+            let w = weight(j).abs();
+            for k in self.column(j) {
+                sizes[self.rows()[k]] += values[k].abs() * w;
+            }
+        }
+    }
+
     /// Whether every entry is structurally nonzero.
     pub fn is_dense(&self) -> bool {
         self.nnz() == self.n() * self.n()

@@ -78,12 +78,19 @@ impl Diagnosis {
 }
 
 /// Entries shown of a vector.
-const SHOWN: usize = 6;
+pub(super) const SHOWN: usize = 6;
 /// Entries smaller than this, relative to the largest, are not shown.
 const SMALL: f64 = 1e-3;
 
 /// The largest entries of a vector with their places, largest first.
 pub(super) fn largest_entries(vector: &[f64]) -> Vec<(usize, f64)> {
+    let mut entries = entries_by_size(vector);
+    entries.truncate(SHOWN);
+    entries
+}
+
+/// All entries of a vector that are not small, with their places, largest first.
+pub(super) fn entries_by_size(vector: &[f64]) -> Vec<(usize, f64)> {
     let largest = vector.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
     let mut entries: Vec<(usize, f64)> = vector
         .iter()
@@ -92,6 +99,5 @@ pub(super) fn largest_entries(vector: &[f64]) -> Vec<(usize, f64)> {
         .filter(|(_, v)| *v != 0.0 && v.abs() >= SMALL * largest)
         .collect();
     entries.sort_by(|a, b| b.1.abs().total_cmp(&a.1.abs()));
-    entries.truncate(SHOWN);
     entries
 }

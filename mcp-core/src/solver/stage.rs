@@ -25,8 +25,10 @@ pub enum Stage {
     Boxes,
     /// New scales at the best point, and the Newton stages again.
     Rescaled,
-    /// Crash and semismooth Newton from the start without scales.
-    Unscaled,
+    /// Full Newton steps to where the scales are others, and the crash there.
+    Leap,
+    /// Crash and semismooth Newton in scales by the sizes of the variables at the start.
+    Sized,
     /// Proximal point iteration.
     Proximal,
     /// Crash, semismooth Newton and smoothing from perturbed starts.
@@ -47,7 +49,8 @@ impl Stage {
             Stage::Penalised => "penalised",
             Stage::Boxes => "boxes",
             Stage::Rescaled => "rescaled",
-            Stage::Unscaled => "unscaled",
+            Stage::Leap => "leap",
+            Stage::Sized => "sized",
             Stage::Proximal => "proximal",
             Stage::Starts => "starts",
             Stage::Pivoting => "pivoting",

@@ -183,7 +183,8 @@ impl Workspace {
             (self.da[i], self.db[i]) = row.derivative(z[i], f[i]);
             let kink = row.kink(z[i], f[i], || {
                 if !has_sizes {
-                    size_rows(pattern, &self.jac, z, &mut self.slope);
+                    self.slope.fill(0.0);
+                    pattern.add_sizes(&self.jac, |j| z[j], &mut self.slope);
                     has_sizes = true;
                 }
                 self.slope[i]
@@ -252,13 +253,5 @@ impl Workspace {
         let Point { z, merit, .. } = &self.current;
         let change = |(g, z): (&f64, &f64)| g.abs() * z.abs().max(1.0);
         self.gradient.iter().zip(z).map(change).fold(0.0, f64::max) / (2.0 * merit)
-    }
-}
-
-/// `Σ_j |J_ij z_j|`: how large the terms of `F_i` are, for all rows in one sweep.
-fn size_rows(pattern: &Pattern, jac: &[f64], z: &[f64], sizes: &mut [f64]) {
-    sizes.fill(0.0);
-    for (k, i, j) in pattern.entries() {
-        sizes[i] += (jac[k] * z[j]).abs();
     }
 }

@@ -57,9 +57,7 @@ pub fn judge(instance: &Instance, z: &[f64]) -> Result<Judgement, ModelError> {
     }
 
     let mut terms = vec![1.0; n];
-    for (k, i, j) in problem.pattern().entries() {
-        terms[i] += (jacobian[k] * inside[j]).abs();
-    }
+    problem.pattern().add_sizes(&jacobian, |j| inside[j], &mut terms);
     let (mut absolute, mut relative) = (0.0_f64, 0.0_f64);
     for i in 0..n {
         let residual = (inside[i] - (inside[i] - f[i]).max(l[i]).min(u[i])).abs();

@@ -49,8 +49,9 @@ pub(in crate::solver) struct Basis {
     /// The result: the levels, and the direction of a ray.
     pub(in crate::solver) y: Vec<f64>,
     pub(in crate::solver) ray: Vec<f64>,
-    /// Exchanges of the last run.
+    /// Exchanges and factorisations of the last run.
     pub(in crate::solver) exchanges: usize,
+    pub(in crate::solver) factorisations: usize,
 }
 
 impl Basis {
@@ -78,6 +79,7 @@ impl Basis {
             y: vec![0.0; n],
             ray: vec![0.0; n],
             exchanges: 0,
+            factorisations: 0,
         })
     }
 
@@ -139,6 +141,7 @@ impl Basis {
     }
 
     fn factor_values(&mut self) -> bool {
+        self.factorisations += 1;
         self.linear.factor(&self.values).is_ok_and(|info| info.pivot_ratio > 1e-15)
     }
 

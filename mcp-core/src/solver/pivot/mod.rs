@@ -24,7 +24,7 @@ pub(super) use path::{Affine, PathEnd};
 use super::certificate::Verdict;
 use super::diagnosis::{Diagnosis, largest_entries};
 use super::monitor::Direction;
-use super::robust::View;
+use super::robust::{Sample, Sizes, View};
 use super::run::{Flow, Run};
 use super::stage::Stage;
 use super::status::Status;
@@ -79,7 +79,9 @@ impl Memory {
         }
         let (shape, pattern) = (run.problem.shape(), run.problem.pattern());
         let work = &mut *run.work;
-        self.view.measure(shape, pattern, (&work.current.z, &work.current.f, &work.jac));
+        let (z, f) = (&work.current.z[..], &work.current.f[..]);
+        let sample = Sample { z, f, jac: &work.jac, start: z, sizes: Sizes::AsOneEntry };
+        self.view.measure(shape, pattern, sample);
         self.view.scale(&work.current.z, &mut self.y);
         self.q.copy_from_slice(&work.current.f);
         self.view.scale_residual(&mut self.q);
@@ -92,7 +94,7 @@ impl Memory {
         self.basis.set_matrix(&self.jac, 0.0);
         self.basis.start_at_bounds(problem);
         let end = self.basis.follow(problem, run.options.max_iterations);
-        run.stats.factorisations += 1 + self.basis.exchanges / 40;
+        run.stats.factorisations += self.basis.factorisations;
         run.stats.iterations += self.basis.exchanges;
         match end {
             PathEnd::Solved => {}

@@ -14,6 +14,7 @@
 //! pivot, and the number of exchanges is limited.
 
 use super::basis::{Basis, Side, Variable};
+use crate::generic::generic;
 
 /// How a path ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -80,11 +81,6 @@ enum Blocking {
     Basic { position: usize, at_upper: bool },
 }
 
-/// Distinct numbers in `[0, 1)`, the same every time: multiples of the golden ratio.
-fn generic(i: usize) -> f64 {
-    ((i + 1) as f64 * 0.618_033_988_749_894_9).fract()
-}
-
 impl Basis {
     /// Starts at the basis of a point: levels strictly between their bounds that the min map takes
     /// by their equation are basic.
@@ -110,7 +106,7 @@ impl Basis {
 
     /// Follows the path from the basis that is set, for at most `limit` exchanges.
     pub(in crate::solver) fn follow(&mut self, problem: Affine<'_>, limit: usize) -> PathEnd {
-        self.exchanges = 0;
+        (self.exchanges, self.factorisations) = (0, 0);
         if !self.factor() || !self.values_of_basics(problem) {
             return PathEnd::Singular;
         }

@@ -17,9 +17,13 @@ use std::ops::ControlFlow::Continue;
 
 /// Steps tried.
 const STEPS: [f64; 2] = [1.0, 0.5];
+/// Growth of the residual along a full step that suggests other scales there: as much as the
+/// [drift](super::semismooth) of `J` that counts.
+const JUMP: f64 = 1024.0;
 
 impl Search<'_, '_> {
-    /// At most `budget` steps from the iterate.
+    /// At most `budget` steps from the iterate; `Drifted` where the last full step, not taken, leads to
+    /// residuals of another size.
     pub(super) fn crash(&mut self, budget: usize) -> Flow<StageEnd> {
         for _ in 0..budget {
             self.begin()?;
@@ -27,20 +31,19 @@ impl Search<'_, '_> {
                 return Continue(StageEnd::NoStep);
             }
             let norm = self.memory.view.natural_norm(&self.memory.here);
-            let mut taken = false;
+            let (mut taken, mut has_jumped) = (false, false);
             for t in STEPS {
                 self.evaluate(t);
-                let memory = &*self.memory;
-                // False for NaN.
-                if memory.view.natural_norm(&memory.trial) <= (1.0 - 0.01 * t) * norm
-                    && self.accept(Direction::MinMap, t)?
-                {
+                let trial = self.memory.view.natural_norm(&self.memory.trial);
+                // Both are false for NaN.
+                has_jumped |= t == 1.0 && trial > JUMP * norm;
+                if trial <= (1.0 - 0.01 * t) * norm && self.accept(Direction::MinMap, t)? {
                     taken = true;
                     break;
                 }
             }
             if !taken {
-                return Continue(StageEnd::NoStep);
+                return Continue(if has_jumped { StageEnd::Drifted } else { StageEnd::NoStep });
             }
             if let Some(end) = self.memory.leave {
                 return Continue(end);

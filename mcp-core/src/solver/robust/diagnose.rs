@@ -3,17 +3,13 @@
 use super::Search;
 use super::map::Map;
 use crate::solver::certificate::Verdict;
-use crate::solver::diagnosis::{Diagnosis, largest_entries};
+use crate::solver::diagnosis::{Diagnosis, SHOWN, entries_by_size, largest_entries};
 use crate::solver::stage::StageEnd;
 use crate::solver::status::Status;
 
-/// Entries shown of a vector.
-const SHOWN: usize = 6;
-/// Entries of a null vector smaller than this, relative to the largest, are not shown.
-const SMALL: f64 = 1e-3;
 /// Relative gradient of a stationary point.
 const STATIONARY: f64 = 1e-5;
-/// Size of `H v` relative to the terms it is summed from, for a null vector `v`.
+/// `‖H v‖∞` of a null vector `v` with largest entry 1, relative to `√(‖H‖₁ ‖H‖∞)`.
 const NULL: f64 = 1e-9;
 
 impl Search<'_, '_> {
@@ -111,34 +107,18 @@ impl Search<'_, '_> {
         }
         let memory = &mut *self.memory;
         let pattern = self.run.problem.pattern();
-        // H v against its terms.
-        memory.slope.fill(0.0);
-        memory.zeta.fill(0.0);
-        for j in 0..pattern.n() {
-            let v = memory.direction[j];
-            memory.slope[j] += memory.a[j] * v;
-            memory.zeta[j] += (memory.a[j] * v).abs();
-            for k in pattern.column(j) {
-                let i = pattern.rows()[k];
-                let term = memory.b[i] * memory.jac[k] * v;
-                memory.slope[i] += term;
-                memory.zeta[i] += term.abs();
-            }
-        }
+        memory.zeta.copy_from_slice(&memory.direction);
+        memory.multiply(pattern);
         let largest = memory.slope.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
         let norm = memory.squared_norm_bound(pattern).sqrt();
         if !(largest <= NULL * norm.max(f64::MIN_POSITIVE)) {
             return None;
         }
-        let mut entries: Vec<(usize, f64)> = (0..pattern.n())
-            .map(|j| (j, memory.direction[j]))
-            .filter(|(_, v)| v.abs() > SMALL)
-            .collect();
         let ratio = |&(j, v): &(usize, f64)| v / memory.here.z[j];
+        let mut entries = entries_by_size(&memory.direction);
         let first = entries.first().map_or(0.0, ratio);
         let is_homogeneous = entries.len() > 1
             && entries.iter().all(|entry| (ratio(entry) / first - 1.0).abs() < 1e-3);
-        entries.sort_by(|a, b| b.1.abs().total_cmp(&a.1.abs()));
         entries.truncate(SHOWN);
         let mut direction = vec![0.0; pattern.n()];
         memory.view.unscale_direction(&memory.direction, &mut direction);

@@ -3,12 +3,17 @@
 //!
 //! ```text
 //! min over r, c, g, h of  Σ (e(J_ij) + r_i + c_j)² + Σ (c_j − e(z_j) − g)² + Σ (e(F_i) + r_i − h)²
-//! over the J_ij, z_j ≠ 0 at the start, and F_i ≠ 0 if z = 0;  e(x) = ⌊log₂ |x|⌋
+//! over the J_ij, the z_j known, and F_i ≠ 0 if none is;  e(x) = ⌊log₂ |x|⌋
 //! ```
 //!
 //! Least squares on the logarithms ([CR72](crate#references)): entries of `J` near 1, the variables
 //! that are known all of one size, or else the equations. `J` alone would scale `n` variables in a
-//! chain by `1, 2, 4, …, 2ⁿ` where that makes it symmetric. Four steps keep every bit when `F_i` is multiplied by `2^k_i` and `z_j` by `2^k_j` (`e_ij` then grows by `k_i − k_j`):
+//! chain by `1, 2, 4, …, 2ⁿ` where that makes it symmetric. A `z_j` is known if it is not 0, was not
+//! at the start, and one of its terms `J_ij z_j` is not below `2⁻³⁰` of the largest of an equation:
+//! a flow of 1e-60 that an earlier solve has left says nothing.
+//!
+//! Four steps keep every bit when `F_i` is multiplied by `2^k_i` and `z_j` by `2^k_j` (`e_ij` then
+//! grows by `k_i − k_j`):
 //!
 //! 1. A spanning forest of the bipartite graph of nonzeros gives integers `r, c` with
 //!    `e + r + c = 0` on its edges. What remains on the other edges are sums around cycles, in which
@@ -19,12 +24,14 @@
 //!    up to such scales, the fractions of `r_j` and `c_j` are made equal first, so that one vector
 //!    scales rows and columns and the scaled `J` is symmetric.
 //! 4. `(r − g, c + g)` gives the same matrix for every `g`: in every block of connected rows and
-//!    columns `g` is the mean exponent of the start or of `F` there, the larger one, in the scales
-//!    found; of the finite bounds, if both vanish.
+//!    columns `g` is the mean exponent of the known `z_j` or of `F` there, the larger one, in the
+//!    scales found; of the finite bounds, if both vanish; of any `z_j`, where there are none.
 //!
 //! Rows and columns of fixed variables take no part; they get scales that bring their largest entry
 //! near 1. Cost: one sweep over the nonzeros for each step of step 2, at most [`SWEEPS`].
 
+use super::measured::{Measured, Sample, Sizes};
+use crate::model::Bounds;
 use crate::problem::Pattern;
 
 /// Steps of conjugate gradients at most.
@@ -34,14 +41,14 @@ const ACCURACY: f64 = 1e-3;
 /// How often step 2 is done: entries that turn out negligible are left out of the next.
 const PASSES: usize = 3;
 /// Binary exponent of an entry that is negligible in the scales found.
-const NEGLIGIBLE: f64 = -30.0;
+pub(super) const NEGLIGIBLE: i32 = -30;
 /// `⌊x + 0.59⌋`: least-squares solutions have small denominators, and none of them ties here.
 const OFFSET: f64 = 0.59;
-/// Largest exponent of a scale.
+/// Largest exponent of a scale: larger ones come from exponentials and hold nowhere else.
 const LARGEST: i32 = 100;
 
 /// Exponent of a zero.
-const NONE: i32 = i32::MIN / 4;
+pub(super) const NONE: i32 = i32::MIN / 4;
 
 /// `⌊log₂ |x|⌋` for finite `x ≠ 0`, exactly.
 pub(super) fn exponent(x: f64) -> i32 {
@@ -56,44 +63,6 @@ pub(super) fn exponent(x: f64) -> i32 {
 /// `2^k`, `|k| <= 1000`.
 pub(super) fn power_of_two(k: i32) -> f64 {
     f64::from_bits(u64::from((1023 + k.clamp(-1000, 1000)).unsigned_abs()) << 52)
-}
-
-/// Where the scales are measured: the point, `F` and `J` there, the box.
-#[derive(Clone, Copy)]
-pub(super) struct Measured<'a> {
-    pub(super) pattern: &'a Pattern,
-    pub(super) jac: &'a [f64],
-    pub(super) z: &'a [f64],
-    pub(super) f: &'a [f64],
-    pub(super) lower: &'a [f64],
-    pub(super) upper: &'a [f64],
-}
-
-impl Measured<'_> {
-    fn is_fixed(&self, j: usize) -> bool {
-        self.lower[j] >= self.upper[j]
-    }
-
-    /// The graph: an edge `(node of a row, node of a column, exponent)` for each nonzero outside the
-    /// rows and columns of fixed variables. The start is one more row, with the entries `1 / z_j`; if
-    /// it is 0, `F` is one more column.
-    fn edges(&self) -> impl Iterator<Item = (usize, usize, i32)> + '_ {
-        let n = self.z.len();
-        let live = move |&j: &usize| !self.is_fixed(j);
-        let start = (0..n)
-            .filter(move |&j| live(&j) && self.z[j] != 0.0)
-            .map(move |j| (2 * n, n + j, -exponent(self.z[j])));
-        let is_known = (0..n).any(|j| live(&j) && self.z[j] != 0.0);
-        let residual = (0..n)
-            .filter(move |&i| !is_known && live(&i) && self.f[i] != 0.0)
-            .map(move |i| (i, 2 * n + 1, exponent(self.f[i])));
-        let entries = self
-            .pattern
-            .entries()
-            .filter(move |(k, i, j)| self.jac[*k] != 0.0 && live(i) && live(j))
-            .map(move |(k, i, j)| (i, n + j, exponent(self.jac[k])));
-        start.chain(residual).chain(entries)
-    }
 }
 
 /// Exponents of the scales, and the memory to find them. Nodes `0..n` are rows, `n..2n` columns, `2n`
@@ -111,13 +80,15 @@ pub(super) struct Equilibration {
     direction: Vec<f64>,
     image: Vec<f64>,
     degree: Vec<f64>,
-    negligible: Vec<bool>,
+    /// Weights of the edges: 0 of a negligible one.
+    weight: Vec<f64>,
+    known: Vec<bool>,
     /// Potential of the row of the start, and minus that of the column of `F`.
     anchors: [i32; 2],
     /// By root of a block: half the difference of fractions of the first pair; sums and numbers of
-    /// exponents of `z`, `F` and the bounds.
+    /// exponents of the known `z`, of `F`, of the bounds and of all `z`.
     shift: Vec<Option<f64>>,
-    gauge: Vec<[(i64, i64); 3]>,
+    gauge: Vec<[(i64, i64); 4]>,
     /// The result: `F_i 2^{r_i}` and `z_j = y_j 2^{c_j}`.
     pub(super) r: Vec<i32>,
     pub(super) c: Vec<i32>,
@@ -138,7 +109,8 @@ impl Equilibration {
             list.resize(2 * n + 2, 0.0);
         }
         self.shift.resize(2 * n + 2, None);
-        self.gauge.resize(2 * n + 2, [(0, 0); 3]);
+        self.gauge.resize(2 * n + 2, [(0, 0); 4]);
+        self.known.resize(n, false);
         self.r.resize(n, 0);
         self.c.resize(n, 0);
     }
@@ -150,7 +122,10 @@ impl Equilibration {
     }
 
     /// The scales of a point where `F` and `J` are finite.
-    pub(super) fn measure(&mut self, at: Measured<'_>) {
+    pub(super) fn measure(&mut self, pattern: &Pattern, bounds: &Bounds, sample: Sample<'_>) {
+        let mut known = std::mem::take(&mut self.known);
+        sample.mark_known(pattern, bounds, &mut self.r, &mut known);
+        let at = Measured { pattern, bounds, sample, known: &known };
         self.span(at);
         self.least_squares(at);
         self.round(at);
@@ -159,6 +134,7 @@ impl Equilibration {
         for scale in self.r.iter_mut().chain(&mut self.c) {
             *scale = (*scale).clamp(-LARGEST, LARGEST);
         }
+        self.known = known;
     }
 
     /// Root of a node's tree and the node's potential relative to it; halves the way there.
@@ -205,8 +181,14 @@ impl Equilibration {
     /// Step 2, and again without the entries that are negligible in the scales found.
     fn least_squares(&mut self, at: Measured<'_>) {
         self.x.fill(0.0);
+        self.weight.clear();
+        let mut is_accurate = false;
         for _ in 0..PASSES {
-            self.conjugate_gradients(at);
+            let is_new = self.weigh_edges(at);
+            if is_accurate && !is_new {
+                break;
+            }
+            is_accurate = self.conjugate_gradients(at);
         }
     }
 
@@ -218,25 +200,40 @@ impl Equilibration {
         f64::from(e + r + c) + self.x[row] + self.x[column]
     }
 
-    /// `(D + B) x = −b` by conjugate gradients with the diagonal as preconditioner, over the edges
-    /// that are not negligible, from the `x` at hand.
-    fn conjugate_gradients(&mut self, at: Measured<'_>) {
+    /// Weights of the edges, residuals and degrees of the nodes at the `x` at hand; whether a weight is
+    /// new.
+    fn weigh_edges(&mut self, at: Measured<'_>) -> bool {
         let n = self.n;
         self.residual.fill(0.0);
         self.degree.fill(0.0);
-        self.negligible.clear();
-        for edge in at.edges() {
+        let mut is_new = false;
+        for (k, edge) in at.edges().enumerate() {
             let (row, column, _) = edge;
             let remainder = self.remainder(edge);
-            let negligible = row < 2 * n && remainder < NEGLIGIBLE;
-            self.negligible.push(negligible);
-            if !negligible {
-                for node in [row, column] {
-                    self.residual[node] -= remainder;
-                    self.degree[node] += 1.0;
-                }
+            let weight = match at.sample.sizes {
+                Sizes::AsAllEntries if row == 2 * n => at.pattern.column(column - n).len() as f64,
+                _ if row < 2 * n && remainder < f64::from(NEGLIGIBLE) => 0.0,
+                _ => 1.0,
+            };
+            if k == self.weight.len() {
+                self.weight.push(weight);
+                is_new = true;
+            } else {
+                is_new |= self.weight[k] != weight;
+                self.weight[k] = weight;
+            }
+            for node in [row, column] {
+                self.residual[node] -= weight * remainder;
+                self.degree[node] += weight;
             }
         }
+        is_new
+    }
+
+    /// `(D + B) x = −b` by conjugate gradients with the diagonal as preconditioner, every edge with its
+    /// weight, from the `x` at hand; whether it is accurate.
+    fn conjugate_gradients(&mut self, at: Measured<'_>) -> bool {
+        let n = self.n;
         let mut rho = 0.0;
         for node in 0..2 * n + 2 {
             let d = self.residual[node] / self.degree[node].max(1.0);
@@ -245,16 +242,14 @@ impl Equilibration {
         }
         for _ in 0..SWEEPS {
             self.image.fill(0.0);
-            for ((row, column, _), &negligible) in at.edges().zip(&self.negligible) {
-                if !negligible {
-                    let sum = self.direction[row] + self.direction[column];
-                    self.image[row] += sum;
-                    self.image[column] += sum;
-                }
+            for ((row, column, _), &weight) in at.edges().zip(&self.weight) {
+                let sum = weight * (self.direction[row] + self.direction[column]);
+                self.image[row] += sum;
+                self.image[column] += sum;
             }
             let curvature: f64 = self.direction.iter().zip(&self.image).map(|(d, a)| d * a).sum();
             if !(curvature > 0.0) {
-                return;
+                return true;
             }
             let (step, before) = (rho / curvature, rho);
             let mut largest = 0.0_f64;
@@ -267,13 +262,14 @@ impl Equilibration {
                 largest = largest.max(scaled.abs());
             }
             if largest <= ACCURACY {
-                return;
+                return true;
             }
             for node in 0..2 * n + 2 {
                 let scaled = self.residual[node] / self.degree[node].max(1.0);
                 self.direction[node] = scaled + rho / before * self.direction[node];
             }
         }
+        false
     }
 
     /// Step 3.
@@ -299,7 +295,7 @@ impl Equilibration {
     /// Step 4.
     fn set_gauge(&mut self, at: Measured<'_>) {
         let n = self.n;
-        self.gauge.fill([(0, 0); 3]);
+        self.gauge.fill([(0, 0); 4]);
         for j in (0..n).filter(|&j| !at.is_fixed(j)) {
             let (row, column) = (self.find(j).0, self.find(n + j).0);
             let c = self.c[j];
@@ -310,10 +306,13 @@ impl Equilibration {
                     *count += 1;
                 }
             };
-            add(column, 0, at.z[j], -c);
-            add(row, 1, at.f[j], self.r[j]);
-            add(column, 2, at.lower[j], -c);
-            add(column, 2, at.upper[j], -c);
+            if at.known[j] {
+                add(column, 0, at.sample.z[j], -c);
+            }
+            add(row, 1, at.sample.f[j], self.r[j]);
+            add(column, 2, at.bounds.lower()[j], -c);
+            add(column, 2, at.bounds.upper()[j], -c);
+            add(column, 3, at.sample.z[j], -c);
         }
         for j in 0..n {
             let (row, column) = (self.find(j).0, self.find(n + j).0);
@@ -329,16 +328,16 @@ impl Equilibration {
         }
         // Columns first, against rows that have a scale; then rows, against all columns.
         for (k, i, j) in at.pattern.entries() {
-            if at.jac[k] != 0.0 && at.is_fixed(j) && !at.is_fixed(i) {
-                self.c[j] = self.c[j].max(exponent(at.jac[k]) + self.r[i]);
+            if at.sample.jac[k] != 0.0 && at.is_fixed(j) && !at.is_fixed(i) {
+                self.c[j] = self.c[j].max(exponent(at.sample.jac[k]) + self.r[i]);
             }
         }
         for j in (0..self.n).filter(|&j| at.is_fixed(j)) {
             self.c[j] = if self.c[j] == NONE { 0 } else { -self.c[j] };
         }
         for (k, i, j) in at.pattern.entries() {
-            if at.jac[k] != 0.0 && at.is_fixed(i) {
-                self.r[i] = self.r[i].max(exponent(at.jac[k]) + self.c[j]);
+            if at.sample.jac[k] != 0.0 && at.is_fixed(i) {
+                self.r[i] = self.r[i].max(exponent(at.sample.jac[k]) + self.c[j]);
             }
         }
         for i in (0..self.n).filter(|&i| at.is_fixed(i)) {
@@ -356,12 +355,12 @@ fn rounded(x: f64) -> i32 {
     (x + OFFSET).floor() as i32
 }
 
-/// The larger mean of the exponents of `z` and `F`, else that of the bounds, else 0. Rounded
-/// downwards, so that it moves with its terms.
-fn gauge(sums: &[(i64, i64); 3]) -> i32 {
+/// The larger mean of the exponents of the known `z` and of `F`, else that of the bounds, else of any
+/// `z`, else 0. Rounded downwards, so that it moves with its terms.
+fn gauge(sums: &[(i64, i64); 4]) -> i32 {
     let mean = |(sum, count): (i64, i64)| (count > 0).then(|| sum.div_euclid(count));
-    let [z, f, bounds] = sums.map(mean);
-    let gauge = z.max(f).or(bounds).unwrap_or(0);
+    let [known, f, bounds, z] = sums.map(mean);
+    let gauge = known.max(f).or(bounds).or(z).unwrap_or(0);
     i32::try_from(gauge).expect("a mean of exponents is one")
 }
 

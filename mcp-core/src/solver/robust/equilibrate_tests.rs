@@ -31,16 +31,15 @@ impl Case {
     }
 
     fn scales(&self) -> Equilibration {
+        self.scales_by(Sizes::AsOneEntry)
+    }
+
+    fn scales_by(&self, sizes: Sizes) -> Equilibration {
         let mut equilibration = Equilibration::default();
         equilibration.resize(self.z.len());
-        equilibration.measure(Measured {
-            pattern: &self.pattern,
-            jac: &self.jac,
-            z: &self.z,
-            f: &self.f,
-            lower: &self.lower,
-            upper: &self.upper,
-        });
+        let bounds = Bounds::new(self.lower.clone(), self.upper.clone()).expect("well formed");
+        let sample = Sample { z: &self.z, f: &self.f, jac: &self.jac, start: &self.z, sizes };
+        equilibration.measure(&self.pattern, &bounds, sample);
         equilibration
     }
 
@@ -68,14 +67,20 @@ impl Case {
 fn scales_follow_every_power_of_two_of_rows_and_columns() {
     let case = Case::new(12);
     let own = case.scales();
+    let own_by_sizes = case.scales_by(Sizes::AsAllEntries);
+    assert_ne!(own.c, own_by_sizes.c);
     for k in [1, 2, -7, 15] {
         let units: Vec<i32> = (0..12).map(|i| k * ((i * 5 % 7) - 3)).collect();
         let none = [0; 12];
         for (rows, columns) in [(&units[..], &none[..]), (&none, &units), (&units, &units)] {
-            let other = case.in_units(rows, columns).scales();
-            for j in 0..12 {
-                assert_eq!(other.r[j], own.r[j] - rows[j], "row {j}");
-                assert_eq!(other.c[j], own.c[j] + columns[j], "column {j}");
+            let moved = case.in_units(rows, columns);
+            for (other, own) in
+                [(moved.scales(), &own), (moved.scales_by(Sizes::AsAllEntries), &own_by_sizes)]
+            {
+                for j in 0..12 {
+                    assert_eq!(other.r[j], own.r[j] - rows[j], "row {j}");
+                    assert_eq!(other.c[j], own.c[j] + columns[j], "column {j}");
+                }
             }
         }
     }
@@ -121,4 +126,18 @@ fn exponents_are_exact_down_to_subnormals() {
         assert_eq!(exponent(-1.9 * power_of_two(k)), k);
     }
     assert_eq!(exponent(f64::from_bits(1)), -1074);
+}
+
+#[test]
+fn dust_in_the_start_does_not_change_the_scales() {
+    let mut case = Case::new(12);
+    for j in [1, 5, 7] {
+        case.z[j] = 0.0;
+    }
+    let clean = case.scales();
+    for j in [1, 5, 7] {
+        case.z[j] = 1e-60;
+    }
+    let dusty = case.scales();
+    assert_eq!((clean.r, clean.c), (dusty.r, dusty.c));
 }

@@ -109,8 +109,9 @@ impl Search<'_, '_> {
                 } else {
                     basis.start_at_bounds(problem);
                 }
-                run.stats.factorisations += 1;
-                if basis.follow(problem, limit) == PathEnd::Solved {
+                let end = basis.follow(problem, limit);
+                run.stats.factorisations += basis.factorisations;
+                if end == PathEnd::Solved {
                     for j in 0..memory.direction.len() {
                         memory.direction[j] = basis.y[j] - memory.here.z[j];
                     }

@@ -62,11 +62,7 @@ impl Search<'_, '_> {
             *w = y.abs() + tau;
         }
         memory.size.fill(0.0);
-        for j in 0..pattern.n() {
-            for k in pattern.column(j) {
-                memory.size[pattern.rows()[k]] += memory.jac[k].abs() * memory.weight[j];
-            }
-        }
+        pattern.add_sizes(&memory.jac, |j| memory.weight[j], &mut memory.size);
         let Point { z: y, f: g, .. } = &memory.here;
         let mut e = 0.0_f64;
         for i in 0..y.len() {
@@ -189,11 +185,8 @@ impl Search<'_, '_> {
         for j in 0..z.len() {
             memory.weight[j] = z[j].abs().min(NEAR * own(j)) + own(j);
         }
-        let pattern = run.problem.pattern();
         memory.size.fill(0.0);
-        for (k, i, j) in pattern.entries() {
-            memory.size[i] += jac[k].abs() * memory.weight[j];
-        }
+        run.problem.pattern().add_sizes(jac, |j| memory.weight[j], &mut memory.size);
         let bounds = run.problem.shape().bounds();
         (0..z.len()).fold(0.0, |worst: f64, i| {
             let w = memory.weight[i];

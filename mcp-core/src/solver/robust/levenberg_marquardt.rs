@@ -10,6 +10,7 @@
 //! For `μ = O(‖Φ‖)` the steps keep Newton's rate under an error bound ([KP04](crate#references)).
 
 use super::Search;
+use crate::generic::generic;
 use crate::linalg::LinearSolver;
 use crate::problem::{Pattern, WithDiagonal};
 use crate::solver::options::Options;
@@ -156,8 +157,7 @@ impl Search<'_, '_> {
         let memory = &mut *self.memory;
         let Some(damped) = &mut memory.damped else { return false };
         for (j, v) in memory.slope.iter_mut().enumerate() {
-            // Generic, and the same every time.
-            *v = 1.0 + 0.3 * ((j + 1) as f64 * 0.618_033_988_749_894_9).fract();
+            *v = 1.0 + 0.3 * generic(j);
         }
         for _ in 0..4 {
             if !damped.solve(&memory.rhs, Some(&memory.slope), &mut memory.direction) {

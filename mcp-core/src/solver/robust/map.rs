@@ -4,9 +4,10 @@ use crate::model::BoundKind;
 use crate::ncp::Reformulation;
 
 /// A complementarity function on the box, nested as in [`Reformulation`].
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) enum Map {
     /// `φ(a, b) = a + b − √(a² + b²)`.
+    #[default]
     FischerBurmeister,
     /// `λ φ(a, b) + (1 − λ) a⁺ b⁺` ([CCK00](crate#references)): its level sets are bounded where
     /// those of `φ` need not be.

@@ -9,7 +9,11 @@ use crate::solver::pivot::Basis;
 use crate::solver::stage::{StageEnd, StageRecord};
 use crate::solver::workspace::Point;
 
+/// Stages that are recorded without allocating: more than the cascade has.
+const RECORDS: usize = 64;
+
 /// Vectors of one solve; `y` and `G` are in the scaled problem, `z` in the units of the model.
+#[derive(Default)]
 pub(in crate::solver) struct Memory {
     pub(super) view: View,
     /// The equations `Φ = 0` of the stage.
@@ -60,47 +64,17 @@ pub(in crate::solver) struct Memory {
     pub(in crate::solver) records: Vec<StageRecord>,
 }
 
-impl Default for Memory {
-    fn default() -> Self {
-        Memory {
-            view: View::default(),
-            map: Map::FischerBurmeister,
-            proximal: None,
-            center: Vec::new(),
-            here: Point::default(),
-            trial: Point::default(),
-            other: Point::default(),
-            jac: Vec::new(),
-            jac_trial: Vec::new(),
-            a: Vec::new(),
-            b: Vec::new(),
-            gradient: Vec::new(),
-            direction: Vec::new(),
-            rhs: Vec::new(),
-            zeta: Vec::new(),
-            slope: Vec::new(),
-            weight: Vec::new(),
-            size: Vec::new(),
-            reference: Reference::new(Nonmonotone::Max, 1),
-            start: Vec::new(),
-            best: Vec::new(),
-            stuck: Vec::new(),
-            model_z: Vec::new(),
-            start_y: Vec::new(),
-            runaway: Vec::new(),
-            unit: Vec::new(),
-            level_measured: 0,
-            best_residual: f64::INFINITY,
-            leave: None,
-            asymptotic: false,
-            damped: None,
-            basis: None,
-            records: Vec::with_capacity(64),
-        }
-    }
-}
-
 impl Memory {
+    /// The iterate goes to the start of the solve.
+    pub(super) fn go_to_start(&mut self) {
+        self.view.scale(&self.start, &mut self.here.z);
+    }
+
+    /// The iterate goes where Newton got stuck.
+    pub(super) fn go_to_stuck(&mut self) {
+        self.view.scale(&self.stuck, &mut self.here.z);
+    }
+
     /// Made ready for a new solve.
     pub(super) fn resize(&mut self, n: usize, nnz: usize, memory: usize) {
         self.view.resize(n);
@@ -130,7 +104,7 @@ impl Memory {
         }
         self.jac.resize(nnz, 0.0);
         self.jac_trial.resize(nnz, 0.0);
-        if !self.reference.remembers(memory) {
+        if !self.reference.remembers(Nonmonotone::Max, memory) {
             self.reference = Reference::new(Nonmonotone::Max, memory);
         }
         self.map = Map::FischerBurmeister;
@@ -139,6 +113,7 @@ impl Memory {
         self.leave = None;
         self.asymptotic = false;
         self.records.clear();
+        self.records.reserve(RECORDS);
     }
 
     /// `a`, `b` and `∇θ` at the iterate, from its `J`: the element of the generalised derivative

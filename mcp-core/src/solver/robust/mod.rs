@@ -2,39 +2,44 @@
 //!
 //! ```text
 //! y = z / C, G = R F(C y): equilibrated by powers of two;  every trial point lies in the box
-//! crash        Newton on the natural map, the box as active set                    (half of all end here)
-//! josephy      the linearised problem by pivoting, for small problems      (most of the others end here)
+//! crash        Newton on the natural map, the box as active set
+//! leap         where the crash fails because its full step leads to other scales: take it, measure there
+//! josephy      the linearised problem by pivoting, for small problems
 //! semismooth   Newton on Φ, non-monotone search, Levenberg–Marquardt where it fails;  tail
-//! cascade      josephy · smoothing · penalised · boxes · rescaled · proximal · unscaled · starts
+//! cascade      josephy · sized · smoothing · penalised · boxes · rescaled · proximal · starts
 //! ```
 //!
 //! | stage | what it is | source |
 //! | --- | --- | --- |
 //! | equilibrate | integer least squares on the exponents of `J` | [CR72](crate#references) |
 //! | crash | projected Newton | [DF97](crate#references), [Ber82](crate#references) |
+//! | leap | the crash again from where its full step leads, in the scales measured there | |
 //! | semismooth | `H d = −Φ`, box function nested, largest of the last merits as reference | [DFK96](crate#references), [Bil95](crate#references), [GLL86](crate#references) |
 //! | Levenberg–Marquardt | `min ‖H d + Φ‖² + μ ‖d‖²` where Newton's step is short or `H` singular | [KP04](crate#references) |
 //! | tail | min-map steps: the last digits, bounds met exactly | [FP03](crate#references) |
 //! | josephy | the linearised problem, solved by [pivoting](super::pivot) | [Jos79](crate#references), [FKM99](crate#references) |
+//! | sized | crash and semismooth in scales by typical sizes, those of the start | [DS96](crate#references) section 7.1 |
 //! | smoothing | `ab = μ → 0`, iterates inside the box | [Kan96](crate#references) |
 //! | penalised | `λ φ + (1 − λ) a⁺ b⁺` | [CCK00](crate#references) |
 //! | proximal | `F + μ (z − z_k)`, out of local minima of the merit | [Bil95](crate#references) |
 //!
-//! No stage but `unscaled` depends on units: iterates are the same, bit for bit, when
-//! equations or variables are multiplied by powers of two, as long as nothing over- or underflows, no
-//! scale is beyond `2^±100` and no absolute tolerance is set. A stage ends the solve only at a point the [`Certificate`](crate::Certificate) accepts.
-//! Whatever happens, the best point seen is the answer.
+//! No stage depends on units: iterates are the same, bit for bit, when equations or variables are
+//! multiplied by powers of two, as long as nothing over- or underflows, no scale is beyond `2^±100` and
+//! no absolute tolerance is set. A stage ends the solve only at a point the
+//! [`Certificate`](crate::Certificate) accepts. Whatever happens, the best point seen is the answer.
 //!
 //! Cost of a step: one `J`, one factorisation, one `F` for each trial point. Limits are counts
 //! ([`Robust`]), so every run takes the same path.
 
 mod crash;
 mod diagnose;
+mod direction;
 mod equilibrate;
 mod josephy;
 mod judge;
 mod levenberg_marquardt;
 mod map;
+mod measured;
 mod memory;
 mod options;
 mod proximal;
@@ -44,6 +49,7 @@ mod starts;
 mod tail;
 mod view;
 
+pub(super) use measured::{Sample, Sizes};
 pub(super) use memory::Memory;
 pub use options::Robust;
 pub(super) use view::View;
@@ -80,19 +86,22 @@ impl Search<'_, '_> {
     fn cascade(&mut self) -> Flow<Infallible> {
         let budget = self.run.options.robust;
         self.start()?;
-        self.stage(Stage::Crash, budget.crash, Self::crash)?;
+        if self.stage(Stage::Crash, budget.crash, Self::crash)? == Some(StageEnd::Drifted) {
+            self.stage(Stage::Leap, budget.rescale, Self::leap)?;
+        }
         self.stage(Stage::Josephy, budget.josephy_first, Self::josephy_first)?;
         self.newton()?;
         self.keep_stuck();
 
-        self.stage_from_start(Stage::Josephy, budget.josephy, Self::josephy)?;
-        self.stage_from_start(Stage::Smoothing, budget.smoothing, Self::smoothing_and_newton)?;
-        self.stage_from_start(Stage::Penalised, budget.penalised, Self::penalised)?;
+        let (start, stuck) = (Memory::go_to_start, Memory::go_to_stuck);
+        self.stage_from(start, Stage::Josephy, budget.josephy, Self::josephy)?;
+        self.stage_from(start, Stage::Sized, budget.sized, Self::sized)?;
+        self.stage_from(start, Stage::Smoothing, budget.smoothing, Self::smoothing_and_newton)?;
+        self.stage_from(start, Stage::Penalised, budget.penalised, Self::penalised)?;
         self.stage(Stage::Boxes, budget.boxes, Self::boxes)?;
         self.stage(Stage::Rescaled, budget.rescale, Self::rescaled)?;
-        self.stage_from_start(Stage::Proximal, budget.proximal, Self::proximal)?;
-        self.stage_from_stuck(Stage::Proximal, budget.proximal, Self::proximal)?;
-        self.stage(Stage::Unscaled, budget.unscaled, Self::unscaled)?;
+        self.stage_from(start, Stage::Proximal, budget.proximal, Self::proximal)?;
+        self.stage_from(stuck, Stage::Proximal, budget.proximal, Self::proximal)?;
         self.stage(Stage::Starts, budget.starts, Self::starts)?;
         Break(self.diagnose())
     }
@@ -140,33 +149,16 @@ impl Search<'_, '_> {
         flow.map_continue(Some)
     }
 
-    /// A stage that begins at the start of the solve.
-    fn stage_from_start(
+    /// A stage that begins at another point than the iterate.
+    fn stage_from(
         &mut self,
+        go: fn(&mut Memory),
         stage: Stage,
         budget: usize,
         run: fn(&mut Self, usize) -> Flow<StageEnd>,
     ) -> Flow {
         if budget > 0 {
-            let memory = &mut *self.memory;
-            memory.view.scale(&memory.start, &mut memory.here.z);
-            if self.restart()? {
-                self.stage(stage, budget, run)?;
-            }
-        }
-        Continue(())
-    }
-
-    /// A stage that begins where the Newton stages got stuck.
-    fn stage_from_stuck(
-        &mut self,
-        stage: Stage,
-        budget: usize,
-        run: fn(&mut Self, usize) -> Flow<StageEnd>,
-    ) -> Flow {
-        if budget > 0 {
-            let memory = &mut *self.memory;
-            memory.view.scale(&memory.stuck, &mut memory.here.z);
+            go(&mut self.memory);
             if self.restart()? {
                 self.stage(stage, budget, run)?;
             }
@@ -199,6 +191,11 @@ impl Search<'_, '_> {
 
     /// Measures the scales at the iterate, where `F` and `J` are known, and goes over to them.
     fn measure_scales(&mut self) {
+        self.measure_scales_by(Sizes::AsOneEntry);
+    }
+
+    /// The same, with more or less weight on the sizes of known variables.
+    fn measure_scales_by(&mut self, sizes: Sizes) {
         let Search { run, memory } = self;
         if run.options.robust.equilibrate {
             let (shape, pattern) = (run.problem.shape(), run.problem.pattern());
@@ -206,8 +203,14 @@ impl Search<'_, '_> {
             memory.view.unscale(&memory.here.z, shape.bounds(), &mut memory.model_z);
             memory.view.unscale_residual(&memory.here.f, &mut memory.slope);
             memory.view.unscale_jacobian(pattern, &mut memory.jac);
-            let measured = (&memory.model_z[..], &memory.slope[..], &memory.jac[..]);
-            memory.view.measure(shape, pattern, measured);
+            let sample = Sample {
+                z: &memory.model_z,
+                f: &memory.slope,
+                jac: &memory.jac,
+                start: &memory.start,
+                sizes,
+            };
+            memory.view.measure(shape, pattern, sample);
             memory.view.scale(&memory.model_z, &mut memory.here.z);
             memory.here.f.copy_from_slice(&memory.slope);
             memory.view.scale_residual(&mut memory.here.f);

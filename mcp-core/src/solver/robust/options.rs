@@ -45,11 +45,11 @@ pub struct Robust {
     /// Steps of semismooth Newton from the middle, the upper and the lower corner of the two-sided
     /// boxes. Default 60.
     pub boxes: usize,
-    /// How often the scales may be measured again. Default 12.
+    /// How often the scales may be measured again where they have changed. Default 12.
     pub rescale: usize,
-    /// Steps of semismooth Newton from the start in the units of the model, without scales. Default
-    /// 100.
-    pub unscaled: usize,
+    /// Steps of semismooth Newton in scales that give the sizes of the variables at the start more
+    /// weight. Default 40.
+    pub sized: usize,
     /// Proximal subproblems. Default 25.
     pub proximal: usize,
     /// Perturbed starts. Default 6.
@@ -77,7 +77,7 @@ impl Default for Robust {
             penalty_weight: 0.9,
             boxes: 60,
             rescale: 12,
-            unscaled: 100,
+            sized: 40,
             proximal: 25,
             starts: 6,
             memory: 8,

@@ -15,7 +15,7 @@ use super::Search;
 use super::equilibrate::exponent;
 use super::map::Map;
 use super::memory::Memory;
-use crate::globalise::StallWatch;
+use crate::globalise::{Stall, StallWatch};
 use crate::problem::Pattern;
 use crate::solver::monitor::Direction;
 use crate::solver::run::Flow;
@@ -32,8 +32,9 @@ const SHORTEST: f64 = 2e-4;
 const MONOTONE: usize = 2;
 /// Natural residual below which min-map steps are tried, in scaled units.
 const NEAR: f64 = 1e-2;
-/// Pivot ratio of a matrix that counts as singular.
-const SINGULAR: f64 = 1e-15;
+/// Damped steps in a row that together must reduce the merit by 30 %: in scales that are wrong they
+/// go on for hundreds of steps.
+const CRAWL: Stall = Stall { iterations: 5, factor: 0.7 };
 /// Binary exponents the geometric mean of the largest entries of rows may drift to.
 const DRIFT: i64 = 10;
 
@@ -58,6 +59,7 @@ impl Search<'_, '_> {
         let rule = self.run.options.robust.stall;
         self.set_map(map);
         let mut stall = StallWatch::new(self.memory.here.merit);
+        let mut crawl = StallWatch::new(self.memory.here.merit);
         for k in 0..budget {
             self.begin()?;
             if let Some(end) = self.memory.leave {
@@ -67,6 +69,11 @@ impl Search<'_, '_> {
                 return Continue(StageEnd::Drifted);
             }
             if stall.observe(self.memory.here.merit, rule) {
+                return Continue(StageEnd::Stalled);
+            }
+            if self.run.last.0 != Direction::LevenbergMarquardt {
+                crawl = StallWatch::new(self.memory.here.merit);
+            } else if crawl.observe(self.memory.here.merit, CRAWL) {
                 return Continue(StageEnd::Stalled);
             }
             if k % 2 == 0 && self.min_map_step()? {
@@ -139,15 +146,11 @@ impl Search<'_, '_> {
 
     /// `H d = −Φ`; false if `H` is singular or `d` no direction of descent.
     fn newton_direction(&mut self) -> bool {
-        let Search { run, memory } = self;
-        run.stats.factorisations += 1;
-        let matrix = (&memory.a[..], &memory.b[..]);
-        let ratio = run.work.system.factor(&memory.jac, matrix);
-        if !ratio.is_some_and(|ratio| ratio > SINGULAR) {
+        self.memory.rhs.copy_from_slice(&self.memory.here.phi);
+        if !self.undamped_direction() {
             return false;
         }
-        let r = &memory.here.phi;
-        run.work.system.back_solve(&memory.jac, matrix, r, &mut memory.direction);
+        let memory = &*self.memory;
         let slope: f64 = memory.gradient.iter().zip(&memory.direction).map(|(g, d)| g * d).sum();
         // False for NaN.
         slope < 0.0
@@ -189,16 +192,10 @@ impl Search<'_, '_> {
     /// `θ − ½‖Φ + H (y⁺ − y)‖²` for the trial point `y⁺`.
     fn predicted_decrease(&mut self) -> f64 {
         let memory = &mut *self.memory;
-        let pattern = self.run.problem.pattern();
-        memory.slope.fill(0.0);
-        for j in 0..pattern.n() {
-            let d = memory.trial.z[j] - memory.here.z[j];
-            memory.slope[j] += memory.a[j] * d;
-            for k in pattern.column(j) {
-                let i = pattern.rows()[k];
-                memory.slope[i] += memory.b[i] * memory.jac[k] * d;
-            }
+        for (j, d) in memory.zeta.iter_mut().enumerate() {
+            *d = memory.trial.z[j] - memory.here.z[j];
         }
+        memory.multiply(self.run.problem.pattern());
         let model = memory.here.phi.iter().zip(&memory.slope).map(|(p, s)| (p + s) * (p + s));
         memory.here.merit - 0.5 * model.sum::<f64>()
     }
@@ -230,7 +227,7 @@ impl Search<'_, '_> {
 
     /// Whether the geometric mean of the largest entries of the rows of `J` has left `2^±10` times
     /// what it was when the scales were measured.
-    fn has_drifted(&mut self) -> bool {
+    pub(super) fn has_drifted(&mut self) -> bool {
         let robust = &self.run.options.robust;
         if !robust.equilibrate || robust.rescale == 0 || self.memory.proximal.is_some() {
             return false;

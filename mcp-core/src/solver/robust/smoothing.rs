@@ -69,22 +69,11 @@ impl Search<'_, '_> {
     fn path_step(&mut self) -> Flow<bool> {
         self.memory.linearise(self.run.problem.pattern());
         for direction in [Direction::FischerBurmeister, Direction::LevenbergMarquardt] {
-            let Search { run, memory } = self;
+            let memory = &mut *self.memory;
             let merit = memory.here.merit;
             memory.rhs.copy_from_slice(&memory.here.phi);
             let found = if direction == Direction::FischerBurmeister {
-                run.stats.factorisations += 1;
-                let matrix = (&memory.a[..], &memory.b[..]);
-                let ratio = run.work.system.factor(&memory.jac, matrix);
-                ratio.is_some_and(|ratio| ratio > 1e-15) && {
-                    run.work.system.back_solve(
-                        &memory.jac,
-                        matrix,
-                        &memory.rhs,
-                        &mut memory.direction,
-                    );
-                    memory.direction.iter().all(|d| d.is_finite())
-                }
+                self.undamped_direction()
             } else {
                 self.damped_direction(1e-4 * (2.0 * merit).sqrt().clamp(1e-8, 1.0))
             };

@@ -1,7 +1,7 @@
 //! Other starts: corners of the boxes, and perturbed ones, the same every time.
 
-use super::Search;
 use super::map::Map;
+use super::{Search, Sizes};
 use crate::solver::monitor::Direction;
 use crate::solver::run::Flow;
 use crate::solver::stage::StageEnd;
@@ -24,7 +24,7 @@ impl Search<'_, '_> {
         }
         for share in [0.5, 1.0, 0.0] {
             let memory = &mut *self.memory;
-            memory.view.scale(&memory.start, &mut memory.here.z);
+            memory.go_to_start();
             for j in 0..memory.here.z.len() {
                 let (l, u) = (memory.view.lower[j], memory.view.upper[j]);
                 if l.is_finite() && u.is_finite() {
@@ -48,7 +48,7 @@ impl Search<'_, '_> {
             // First to one side, then to both.
             let is_one_sided = (k / SIZES.len()).is_multiple_of(2);
             let memory = &mut *self.memory;
-            memory.view.scale(&memory.start, &mut memory.here.z);
+            memory.go_to_start();
             for y in &mut memory.here.z {
                 let number = numbers.next();
                 let noise = if is_one_sided { number } else { 3.0 * (2.0 * number - 1.0) };
@@ -63,7 +63,7 @@ impl Search<'_, '_> {
             memory.view.unscale(&memory.here.z, bounds, &mut memory.stuck);
             self.crash(CRASH)?;
             self.newton_on(Map::FischerBurmeister, STEPS)?;
-            self.go_to_stuck();
+            self.memory.go_to_stuck();
             if smoothing > 0 && self.restart()? {
                 self.smoothing_and_newton(smoothing)?;
             }
@@ -76,19 +76,19 @@ impl Search<'_, '_> {
         if !self.run.options.robust.equilibrate {
             return Continue(StageEnd::Skipped);
         }
-        self.leap()?;
-        self.go_to_stuck();
+        self.leap_from_start()?;
+        self.memory.go_to_stuck();
         if !self.restart()? {
             return Continue(StageEnd::NotFinite);
         }
         self.measure_scales();
         self.newton_on(Map::FischerBurmeister, STEPS)?;
-        self.go_to_stuck();
+        self.memory.go_to_stuck();
         let smoothing = self.run.options.robust.smoothing;
         if smoothing > 0 && self.restart()? {
             self.smoothing_and_newton(smoothing)?;
         }
-        self.go_to_stuck();
+        self.memory.go_to_stuck();
         let josephy = self.run.options.robust.josephy;
         if josephy > 0 && self.restart()? {
             self.josephy(josephy)?;
@@ -99,9 +99,8 @@ impl Search<'_, '_> {
 
     /// The full min-map step from the start, whatever it does to the merit, new scales there, and the
     /// Newton stages: where the scales of the start are not those of the solution.
-    fn leap(&mut self) -> Flow {
-        let memory = &mut *self.memory;
-        memory.view.scale(&memory.start, &mut memory.here.z);
+    fn leap_from_start(&mut self) -> Flow {
+        self.memory.go_to_start();
         if !self.restart()? || !self.min_map_direction(1e-8) || self.evaluate(1.0).is_nan() {
             return Continue(());
         }
@@ -113,37 +112,54 @@ impl Search<'_, '_> {
         Continue(())
     }
 
-    /// Crash, Newton and smoothing from the start in the units of the model: the only stage whose path
-    /// depends on them.
-    pub(super) fn unscaled(&mut self, budget: usize) -> Flow<StageEnd> {
+    /// Full min-map steps to points of other scales, and the crash there, at most `budget` times, then
+    /// Josephy–Newton.
+    pub(super) fn leap(&mut self, budget: usize) -> Flow<StageEnd> {
+        let josephy = self.run.options.robust.josephy_first;
+        self.memory.go_to_start();
+        if !self.restart()? {
+            return Continue(StageEnd::NotFinite);
+        }
+        let mut has_leapt = false;
+        for _ in 0..budget {
+            if !self.min_map_direction(1e-8)
+                || self.evaluate(1.0).is_nan()
+                || !self.accept(Direction::MinMap, 1.0)?
+                || !self.has_drifted()
+            {
+                break;
+            }
+            has_leapt = true;
+            self.measure_scales();
+            if self.crash(CRASH)? != StageEnd::Drifted {
+                break;
+            }
+        }
+        let end = if has_leapt { self.josephy_first(josephy)? } else { StageEnd::NoStep };
+        self.scale_as_at_start()?;
+        Continue(end)
+    }
+
+    /// Crash and Newton in scales that the sizes of the variables at the start decide as much as `J`
+    /// does.
+    pub(super) fn sized(&mut self, budget: usize) -> Flow<StageEnd> {
         if !self.run.options.robust.equilibrate {
             return Continue(StageEnd::Skipped);
         }
-        let memory = &mut *self.memory;
-        memory.view.unscaled(self.run.problem.shape().bounds());
-        memory.start_y.copy_from_slice(&memory.start);
-        memory.here.z.copy_from_slice(&memory.start);
-        if self.restart()? {
-            self.crash(CRASH)?;
-            self.newton_on(Map::FischerBurmeister, budget)?;
-        }
+        self.measure_scales_by(Sizes::AsAllEntries);
+        self.crash(CRASH)?;
+        let end = self.newton_on(Map::FischerBurmeister, budget)?;
         self.scale_as_at_start()?;
-        Continue(StageEnd::Budget)
+        Continue(end)
     }
 
     /// Goes back to the scales of the start.
     fn scale_as_at_start(&mut self) -> Flow {
-        let memory = &mut *self.memory;
-        memory.view.scale(&memory.start, &mut memory.here.z);
+        self.memory.go_to_start();
         if self.restart()? {
             self.measure_scales();
         }
         Continue(())
-    }
-
-    fn go_to_stuck(&mut self) {
-        let memory = &mut *self.memory;
-        memory.view.scale(&memory.stuck, &mut memory.here.z);
     }
 
     /// Keeps the iterate as the point where Newton got stuck.

@@ -61,7 +61,7 @@ impl Search<'_, '_> {
 
     /// The same without damping; false where the matrix is singular.
     pub(super) fn undamped_min_map_direction(&mut self) -> bool {
-        let Search { run, memory } = self;
+        let memory = &mut *self.memory;
         for i in 0..memory.rhs.len() {
             let (value, branch) = memory.view.natural(&memory.here, i);
             let identity = branch != Branch::Equation;
@@ -69,14 +69,6 @@ impl Search<'_, '_> {
             memory.a[i] = f64::from(u8::from(identity));
             memory.b[i] = f64::from(u8::from(!identity));
         }
-        run.stats.factorisations += 1;
-        let system = &mut run.work.system;
-        let matrix = (&memory.a[..], &memory.b[..]);
-        let ratio = system.factor(&memory.jac, matrix);
-        if !ratio.is_some_and(|ratio| ratio > 1e-15) {
-            return false;
-        }
-        system.back_solve(&memory.jac, matrix, &memory.rhs, &mut memory.direction);
-        memory.direction.iter().all(|d| d.is_finite())
+        self.undamped_direction()
     }
 }

@@ -1,7 +1,8 @@
 //! The scaled problem: `y = z / C`, `G(y) = R F(C y)`, with powers of two in `R` and `C`.
 
-use super::equilibrate::{Equilibration, Measured, power_of_two};
+use super::equilibrate::{Equilibration, power_of_two};
 use super::map::Map;
+use super::measured::Sample;
 use crate::model::{Bounds, Shape};
 use crate::ncp::{Branch, Reformulation, mid};
 use crate::problem::{Pattern, Problem};
@@ -43,10 +44,9 @@ impl View {
         &mut self,
         shape: &Shape,
         pattern: &Pattern,
-        (z, f, jac): (&[f64], &[f64], &[f64]),
+        sample: Sample<'_>,
     ) {
-        let (lower, upper) = (shape.bounds().lower(), shape.bounds().upper());
-        self.equilibration.measure(Measured { pattern, jac, z, f, lower, upper });
+        self.equilibration.measure(pattern, shape.bounds(), sample);
         self.apply(shape.bounds());
     }
 
