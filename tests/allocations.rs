@@ -5,55 +5,17 @@
 #![allow(unsafe_code, reason = "a counting allocator has to implement an unsafe trait")]
 
 mod common;
+#[path = "allocations/counter.rs"]
+mod counter;
 
 use common::{FREE, NONNEGATIVE, dense, scalar, siconos};
+use counter::allocations;
 use mcp_core::testing::{self, Known};
 use mcp_core::{
     AdProblem, Definition, Equation, Iteration, Linear, Method, Model, ModelError, Problem, Reader,
     Real, Scalar, Set, Shape, Solver, Status, Variable, mcp, mcp_fn,
 };
-use std::alloc::{GlobalAlloc, Layout, System};
-use std::cell::Cell;
 use std::ops::ControlFlow;
-
-struct CountingAllocator;
-
-thread_local! {
-    /// Allocations of this thread: tests that run beside each other do not disturb.
-    static ALLOCATIONS: Cell<usize> = const { Cell::new(0) };
-}
-
-/// Counts one allocation; a thread that is going down has no counter any more.
-fn count() {
-    let _ = ALLOCATIONS.try_with(|allocations| allocations.set(allocations.get() + 1));
-}
-
-// SAFETY: every call is passed on to the system's allocator unchanged.
-unsafe impl GlobalAlloc for CountingAllocator {
-    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
-        count();
-        // SAFETY: the caller's promise is passed on.
-        unsafe { System.alloc(layout) }
-    }
-    unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
-        // SAFETY: the caller's promise is passed on.
-        unsafe { System.dealloc(pointer, layout) }
-    }
-    unsafe fn realloc(&self, pointer: *mut u8, layout: Layout, size: usize) -> *mut u8 {
-        count();
-        // SAFETY: the caller's promise is passed on.
-        unsafe { System.realloc(pointer, layout, size) }
-    }
-}
-
-#[global_allocator]
-static ALLOCATOR: CountingAllocator = CountingAllocator;
-
-fn allocations(of: impl FnOnce()) -> usize {
-    let before = ALLOCATIONS.get();
-    of();
-    ALLOCATIONS.get() - before
-}
 
 #[test]
 fn the_counter_counts() {

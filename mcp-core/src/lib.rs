@@ -32,6 +32,7 @@
 //!
 //! [`mcp!`](macro@mcp) the modelling language · [`language`] what its models are made of: data, sets,
 //! views · [`kkt`] nonlinear programs by their optimality conditions ·
+//! [`dynamics`] systems with contacts, friction, diodes and relays, step by step ·
 //! [`economics`] cost functions, accounts, laws of economies · [`scalar`] numbers inside a model and their corners · [`model`] what the language and a
 //! hand-written model become · [`problem`] exact derivatives and their pattern · [`solver`] methods, options, statuses, the
 //! certificate · [`ncp`] complementarity functions · [`globalise`] line searches · [`linalg`]
@@ -41,9 +42,10 @@
 //!
 //! | key | source |
 //! | --- | --- |
+//! | \[AB08\] | V. Acary, B. Brogliato (2008), Numerical Methods for Nonsmooth Dynamical Systems. Springer |
+//! | \[ADD89\] | M. Arioli, J. W. Demmel, I. S. Duff (1989), Solving sparse linear systems with sparse backward error. SIAM J. Matrix Anal. Appl. 10 |
 //! | \[Ahn83\] | B.-H. Ahn (1983), Iterative methods for linear complementarity problems with upper bounds on primary variables. Math. Prog. 26 |
 //! | \[Ber82\] | D. P. Bertsekas (1982), Projected Newton methods for optimization problems with simple constraints. SIAM J. Control Optim. 20 |
-//! | \[ADD89\] | M. Arioli, J. W. Demmel, I. S. Duff (1989), Solving sparse linear systems with sparse backward error. SIAM J. Matrix Anal. Appl. 10 |
 //! | \[BG12\] | I. Ben Gharbia, J. C. Gilbert (2012), Nonconvergence of the plain Newton-min algorithm for linear complementarity problems with a P-matrix. Math. Prog. 134 |
 //! | \[BHM00\] | W. L. Briggs, V. E. Henson, S. F. McCormick (2000), A Multigrid Tutorial, 2nd ed. SIAM |
 //! | \[Bil95\] | S. C. Billups (1995), Algorithms for complementarity problems and generalized equations. PhD thesis, Wisconsin |
@@ -68,6 +70,7 @@
 //! | \[GV13\] | G. H. Golub, C. F. Van Loan (2013), Matrix Computations, 4th ed. Johns Hopkins |
 //! | \[HK73\] | J. E. Hopcroft, R. M. Karp (1973), An n^(5/2) algorithm for maximum matchings in bipartite graphs. SIAM J. Comput. 2 |
 //! | \[HS81\] | W. Hock, K. Schittkowski (1981), Test Examples for Nonlinear Programming Codes. Springer |
+//! | \[Jean99\] | M. Jean (1999), The non-smooth contact dynamics method. Comput. Methods Appl. Mech. Eng. 177 |
 //! | \[JMP17\] | M. Joldes, J.-M. Muller, V. Popescu (2017), Tight and rigorous error bounds for basic building blocks of double-word arithmetic. ACM Trans. Math. Softw. 44 |
 //! | \[Jos79\] | N. H. Josephy (1979), Newton's method for generalized equations. MRC Technical Summary Report 1965, Wisconsin |
 //! | \[Kan96\] | C. Kanzow (1996), Some noninterior continuation methods for linear complementarity problems. SIAM J. Matrix Anal. Appl. 17 |
@@ -78,6 +81,7 @@
 //! | \[Mat85\] | L. Mathiesen (1985), Computation of economic equilibria by a sequence of linear complementarity problems. Math. Prog. Study 23 |
 //! | \[MGH81\] | J. J. Moré, B. S. Garbow, K. E. Hillstrom (1981), Testing unconstrained optimization software. ACM Trans. Math. Softw. 7 |
 //! | \[Moo66\] | R. E. Moore (1966), Interval Analysis. Prentice-Hall |
+//! | \[Mor88\] | J. J. Moreau (1988), Unilateral contact and dry friction in finite freedom dynamics. In: Nonsmooth Mechanics and Applications, CISM 302, Springer |
 //! | \[Mur78\] | K. G. Murty (1978), Computational complexity of complementary pivot methods. Math. Prog. Study 7 |
 //! | \[MW09\] | J. J. Moré, S. M. Wild (2009), Benchmarking derivative-free optimization algorithms. SIAM J. Optim. 20 |
 //! | \[Neu90\] | A. Neumaier (1990), Interval Methods for Systems of Equations. Cambridge |
@@ -99,6 +103,7 @@ pub mod __private;
 pub mod accuracy;
 mod apart;
 pub mod certify;
+pub mod dynamics;
 pub mod economics;
 pub mod error;
 mod generic;

@@ -169,6 +169,11 @@ impl<M: Model> AdProblem<M> {
         &self.model
     }
 
+    /// The model, whose data may be changed as long as its shape and what its rows read stay.
+    pub(crate) fn model_mut(&mut self) -> &mut M {
+        &mut self.model
+    }
+
     /// Changes the values of a parameter family of this problem: [`Shape::set_parameter`].
     ///
     /// # Errors

@@ -31,7 +31,7 @@ pub use affine::{
 pub use classic::{billups, josephy, kojima_shindo, log_equation, watson4};
 pub use judge::{Enumeration, Judgement, enumerate_affine, judge};
 pub use kkt::{nocedal_16_4, rosen_suzuki};
-pub use zhuravlev_ivanov::{ZhuravlevIvanov, zhuravlev_ivanov_step};
+pub use zhuravlev_ivanov::{ZhuravlevIvanov, ZhuravlevIvanovStepper, zhuravlev_ivanov_step};
 
 use crate::error::ModelError;
 use crate::model::{Equation, Model, Set, Shape, Variable};

@@ -1,9 +1,12 @@
-//! One implicit step of the Zhuravlev–Ivanov model of a bouncing mass.
+//! The Zhuravlev–Ivanov model of a bouncing mass, in implicit steps.
 
 use super::{Known, equalities_first};
+use crate::dynamics::{DynamicsError, StepReport, StepSize, TimeStepper};
 use crate::error::ModelError;
 use crate::model::{Model, Reader, Shape};
+use crate::problem::{AdProblem, Problem};
 use crate::scalar::{Real, Scalar};
+use crate::solver::{Options, Solver};
 
 /// The step from position `x` and velocity `v`, `z = (p₀, s₀, p₁, s₁) >= 0`:
 ///
@@ -19,15 +22,22 @@ pub struct ZhuravlevIvanov {
     shape: Shape,
     /// Position and velocity at the start of the step.
     pub state: [f64; 2],
+    /// Step `h`.
+    pub h: f64,
+    /// `κ`.
+    pub kappa: f64,
+    /// `g`.
+    pub gravity: f64,
 }
 
 impl ZhuravlevIvanov {
-    /// The step from `state`.
+    /// The step from `state`, with the numbers of the test.
     ///
     /// # Errors
     /// None in practice.
     pub fn new(state: [f64; 2]) -> Result<Self, ModelError> {
-        Ok(ZhuravlevIvanov { shape: equalities_first(4, 0)?, state })
+        let shape = equalities_first(4, 0)?;
+        Ok(ZhuravlevIvanov { shape, state, h: 1e-3, kappa: 0.7, gravity: 9.81 })
     }
 }
 
@@ -44,7 +54,7 @@ impl Model for ZhuravlevIvanov {
     }
     fn whole<D: Scalar>(&self, read: &Reader<'_, D>, f: &mut [Real<D>]) {
         let [p0, s0, p1, s1] = read.first();
-        let ([x, v], h, kappa, g) = (self.state, 1e-3, 0.7, 9.81);
+        let ([x, v], h, kappa, g) = (self.state, self.h, self.kappa, self.gravity);
         let (l0, l1) = (2.0 * p0 - 1.0, 2.0 * p1 - 1.0);
         let r1 = g * l0 / (1.0 - kappa * l0 * l1);
         let r0 = -kappa * l0 * l1 * (v + h * r1);
@@ -62,4 +72,70 @@ impl Model for ZhuravlevIvanov {
 pub fn zhuravlev_ivanov_step() -> Result<Known, ModelError> {
     let model = ZhuravlevIvanov::new([1.0, 10.0])?;
     Known::new("zhuravlev-ivanov", model, vec![vec![0.0; 4]], vec![vec![0.0; 4]])
+}
+
+/// The mass step by step.
+pub struct ZhuravlevIvanovStepper {
+    problem: AdProblem<ZhuravlevIvanov>,
+    solver: Solver,
+    z: Vec<f64>,
+    warm: bool,
+    steps: u64,
+}
+
+impl ZhuravlevIvanovStepper {
+    /// From the state of `first`; `warm`: each solve starts at the last solution, otherwise at 0.
+    ///
+    /// # Errors
+    /// [`ModelError::Option`].
+    pub fn new(first: ZhuravlevIvanov, options: Options, warm: bool) -> Result<Self, ModelError> {
+        let (problem, solver) = (AdProblem::new(first)?, Solver::new(options)?);
+        Ok(ZhuravlevIvanovStepper { problem, solver, z: vec![0.0; 4], warm, steps: 0 })
+    }
+}
+
+impl TimeStepper for ZhuravlevIvanovStepper {
+    fn step(&mut self) -> Result<StepReport, DynamicsError> {
+        let (step, time) = (self.steps + 1, (self.steps + 1) as f64 * self.step_size());
+        if !self.warm {
+            self.z.fill(0.0);
+        }
+        let solution = self.solver.solve_from(&mut self.problem, &self.z)?;
+        let residual = solution.certificate.natural_residual;
+        if !solution.is_solved() {
+            let (active, status) = ("p0, s0, p1, s1".to_owned(), solution.status);
+            return Err(DynamicsError::NotSolved { step, time, active, status, residual });
+        }
+        let iterations = solution.stats.iterations;
+        self.z.copy_from_slice(&solution.z);
+        // x = F₀ − s₀, v = F₂ − s₁
+        let state = [solution.f[0] - solution.z[1], solution.f[2] - solution.z[3]];
+        self.problem.model_mut().state = state;
+        self.steps = step;
+        Ok(StepReport { step, time, unknowns: 4, active: 1, iterations, residual })
+    }
+
+    fn step_size(&self) -> f64 {
+        self.problem.model().h
+    }
+
+    fn state_names(&self) -> Vec<String> {
+        ["x", "v", "p0", "s0", "p1", "s1"].map(String::from).to_vec()
+    }
+
+    fn write_state(&self, state: &mut Vec<f64>) {
+        state.clear();
+        state.extend_from_slice(&self.problem.model().state);
+        state.extend_from_slice(&self.z);
+    }
+
+    /// None: the state is that of the transformed equations.
+    fn energy(&self) -> Option<f64> {
+        None
+    }
+
+    fn size(&self) -> StepSize {
+        let (nonzeros, operations) = (self.problem.pattern().nnz(), self.problem.operations());
+        StepSize { unknowns: 4, nonzeros, operations: operations.total() }
+    }
 }

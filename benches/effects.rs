@@ -1,0 +1,165 @@
+//! What the effects of a scene cost, off and on: `cargo bench --bench effects`.
+//!
+//! Unknowns and nonzeros are those of the largest step, operations (of the free motion and of one
+//! `F`) those of a step with it; times are the best of several runs of all steps, so that other work
+//! on the machine disturbs least.
+#![allow(clippy::print_stdout, reason = "a benchmark prints its results")]
+
+#[path = "../examples/scenes/mod.rs"]
+#[allow(dead_code, reason = "the example uses more of it")]
+mod files;
+
+use files::effect::Effect;
+use files::scene::Scene;
+use mcp_core::dynamics::{StepSize, TimeStepper, step_options};
+use mcp_core::{
+    AdProblem, Equation, Model, Parameter, Reader, Real, Scalar, Shape, Solver, Variable,
+};
+use std::error::Error;
+use std::fs;
+use std::hint::black_box;
+use std::path::Path;
+use std::time::{Duration, Instant};
+
+/// Runs of a scene; the best counts.
+const RUNS: usize = 7;
+
+/// Scenes and the effects that are switched on one after the other.
+const SCENES: [(&str, &[&str]); 8] = [
+    ("bouncing_ball", &["gravity", "contact", "restitution"]),
+    ("ball_with_friction", &["gravity", "contact", "restitution", "friction"]),
+    ("column_of_beads", &["gravity", "contact", "restitution"]),
+    ("hopper", &["gravity", "contact", "spring", "damper", "drag"]),
+    ("pendulum", &["gravity", "joint", "drag", "contact", "restitution"]),
+    ("rlc_diode", &["diode"]),
+    ("diode_bridge", &["diode"]),
+    ("two_relays", &["relay"]),
+];
+
+/// Size of the largest step, and the best time of all steps.
+struct Cost {
+    size: StepSize,
+    time: Duration,
+    steps: u64,
+}
+
+/// The scene with these effects alone; `steps`: other than its own number.
+fn cost(name: &str, effects: &[&str], steps: Option<u64>) -> Result<Cost, Box<dyn Error>> {
+    let directory = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/scenes");
+    let text = fs::read_to_string(directory.join(name).with_extension("toml"))?;
+    let mut table: toml::Table = text.parse()?;
+    table.insert("effects".to_owned(), effects.to_vec().into());
+    let text = toml::to_string(&table)?;
+    let read = || Scene::parse(name, &text);
+    let steps = steps.unwrap_or(read()?.steps);
+
+    let mut scene = read()?;
+    let mut size = scene.stepper.size();
+    for _ in 0..steps {
+        scene.stepper.step()?;
+        let next = scene.stepper.size();
+        if next.unknowns > size.unknowns {
+            size = next;
+        }
+    }
+    let mut time = Duration::MAX;
+    for _ in 0..RUNS {
+        let mut scene = read()?;
+        let began = Instant::now();
+        run(scene.stepper.as_mut(), steps)?;
+        time = time.min(began.elapsed());
+    }
+    Ok(Cost { size, time, steps })
+}
+
+fn run(stepper: &mut dyn TimeStepper, steps: u64) -> Result<(), Box<dyn Error>> {
+    for _ in 0..steps {
+        black_box(stepper.step()?);
+    }
+    Ok(())
+}
+
+impl Cost {
+    fn micros_per_step(&self) -> f64 {
+        self.time.as_secs_f64() * 1e6 / self.steps as f64
+    }
+}
+
+/// `q + m r ⟂ r >= 0`, one unknown.
+struct One(Shape);
+
+impl Model for One {
+    fn shape(&self) -> &Shape {
+        &self.0
+    }
+    fn row<D: Scalar>(&self, _: usize, _: usize, read: &Reader<'_, D>) -> Real<D> {
+        read.param(0) + 1.0 * read.var(0)
+    }
+}
+
+/// Best time of one solve with one unknown, from 0 (one iteration) or from its solution (none).
+fn one_unknown(start: f64) -> Result<f64, Box<dyn Error>> {
+    let shape = Shape::builder()
+        .variable(Variable::new("r").lower(0.0))
+        .parameter(Parameter::new("q", -1.0))
+        .equation(Equation::new("y").complements("r"))
+        .build()?;
+    let mut problem = AdProblem::new(One(shape))?;
+    let mut solver = Solver::new(step_options())?;
+    let (solves, mut best) = (10_000, f64::INFINITY);
+    for _ in 0..RUNS {
+        let began = Instant::now();
+        for _ in 0..solves {
+            black_box(solver.solve_from(&mut problem, &[start])?.z[0]);
+        }
+        best = best.min(began.elapsed().as_secs_f64() * 1e6 / f64::from(solves));
+    }
+    Ok(best)
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    println!("| scene | effects | unknowns | nonzeros | operations | µs per step |");
+    println!("| --- | --- | ---: | ---: | ---: | ---: |");
+    for (name, effects) in SCENES {
+        for on in 0..=effects.len() {
+            let cost = cost(name, &effects[..on], None)?;
+            let added = if on == 0 { "none" } else { effects[on - 1] };
+            let added = if on > 1 { format!("+ {added}") } else { added.to_owned() };
+            let StepSize { unknowns, nonzeros, operations, .. } = cost.size;
+            let time = cost.micros_per_step();
+            println!("| {name} | {added} | {unknowns} | {nonzeros} | {operations} | {time:.3} |");
+        }
+    }
+    let all = [Effect::Gravity, Effect::Contact, Effect::Restitution].map(Effect::name);
+    let ball = cost("bouncing_ball", &all, Some(10_000))?;
+    let beads = cost("column_of_beads", &all, Some(4000))?;
+    println!("\nbouncing ball, 10 000 steps: {:.1} ms", ball.time.as_secs_f64() * 1e3);
+    println!("column of ten beads, 4000 steps: {:.1} ms", beads.time.as_secs_f64() * 1e3);
+
+    let flight = cost("bouncing_ball", &all[..1], Some(100_000))?.micros_per_step();
+    let (one, none) = (one_unknown(0.0)?, one_unknown(1.0)?);
+    let stepper = resting()? - none;
+    println!("one step in flight: {flight:.3} µs");
+    println!("one solve with one unknown: {one:.3} µs; from its solution: {none:.3} µs");
+    println!("the stepper around the latter, at rest: {stepper:.3} µs");
+    println!("share: {:.0} % and {:.0} %", 100.0 * stepper / one, 100.0 * stepper / none);
+    Ok(())
+}
+
+/// Best time of a step of a ball at rest on the floor, whose reaction is that of the step before.
+fn resting() -> Result<f64, Box<dyn Error>> {
+    let text = "title = \"at rest\"\neffects = [\"gravity\", \"contact\"]\n\
+        [time]\nstep = 1e-3\nsteps = 1\n\
+        [gravity]\nacceleration = 9.81\n\
+        [[body]]\nname = \"ball\"\nmass = 1.0\ny = [0.0, 0.0]\n\
+        [[contact]]\nname = \"floor\"\nbody = \"ball\"\n";
+    let mut best = f64::INFINITY;
+    for _ in 0..RUNS {
+        let mut scene = Scene::parse("at rest", text)?;
+        scene.stepper.step()?;
+        let began = Instant::now();
+        run(scene.stepper.as_mut(), 10_000)?;
+        best = best.min(began.elapsed().as_secs_f64() * 1e6 / 1e4);
+    }
+    Ok(best)
+}

@@ -1,0 +1,194 @@
+//! What stands in a scene file.
+
+use serde::Deserialize;
+use std::collections::BTreeMap;
+use toml::Spanned;
+
+/// A number, a name, … with the place where it stands.
+pub(crate) type At<T> = Spanned<T>;
+
+/// A scene: a base of bodies, circuit elements or a linear system, the effects it names, their data.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct SceneFile {
+    pub(crate) title: String,
+    pub(crate) effects: Vec<At<String>>,
+    pub(crate) time: Time,
+    #[serde(default)]
+    pub(crate) body: Vec<At<Body>>,
+    #[serde(default)]
+    pub(crate) element: Vec<At<Element>>,
+    pub(crate) system: Option<At<System>>,
+    pub(crate) zhuravlev_ivanov: Option<At<ZhuravlevIvanov>>,
+    pub(crate) gravity: Option<Gravity>,
+    #[serde(default)]
+    pub(crate) spring: Vec<At<Spring>>,
+    #[serde(default)]
+    pub(crate) damper: Vec<At<Damper>>,
+    #[serde(default)]
+    pub(crate) drag: Vec<At<Drag>>,
+    #[serde(default)]
+    pub(crate) contact: Vec<At<Contact>>,
+    #[serde(default)]
+    pub(crate) joint: Vec<At<Joint>>,
+    #[serde(default)]
+    pub(crate) relay: Vec<At<Relay>>,
+    #[serde(default)]
+    pub(crate) sliding_mode: Vec<At<SlidingMode>>,
+}
+
+/// Step size [s], number of steps, parameters of the scheme.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Time {
+    pub(crate) step: At<f64>,
+    pub(crate) steps: u64,
+    pub(crate) theta: Option<At<f64>>,
+    pub(crate) gamma: Option<At<f64>>,
+}
+
+/// A planar body: position and velocity of the coordinates it has.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Body {
+    pub(crate) name: String,
+    pub(crate) mass: Option<At<f64>>,
+    pub(crate) inertia: Option<At<f64>>,
+    pub(crate) radius: Option<At<f64>>,
+    pub(crate) x: Option<[f64; 2]>,
+    pub(crate) y: Option<[f64; 2]>,
+    pub(crate) angle: Option<At<[f64; 2]>>,
+}
+
+/// An element of a circuit; the current flows from the first node to the second.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Element {
+    pub(crate) name: String,
+    pub(crate) kind: At<String>,
+    pub(crate) value: Option<At<f64>>,
+    #[serde(default)]
+    pub(crate) start: f64,
+    pub(crate) between: [String; 2],
+}
+
+/// `x' = A x + b`.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct System {
+    pub(crate) states: Vec<String>,
+    pub(crate) start: Vec<f64>,
+    pub(crate) matrix: Vec<Vec<f64>>,
+    pub(crate) drift: Option<Vec<f64>>,
+}
+
+/// The transformed bouncing mass.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct ZhuravlevIvanov {
+    pub(crate) start: [f64; 2],
+    pub(crate) kappa: f64,
+    pub(crate) acceleration: f64,
+}
+
+/// Effect `gravity`.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Gravity {
+    pub(crate) acceleration: f64,
+}
+
+/// Effect `spring`.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Spring {
+    pub(crate) body: At<String>,
+    pub(crate) to: Option<At<String>>,
+    pub(crate) along: At<String>,
+    pub(crate) stiffness: At<f64>,
+    #[serde(default)]
+    pub(crate) rest: f64,
+}
+
+/// Effect `damper`.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Damper {
+    pub(crate) body: At<String>,
+    pub(crate) to: Option<At<String>>,
+    pub(crate) along: At<String>,
+    pub(crate) damping: At<f64>,
+}
+
+/// Effect `drag`.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Drag {
+    pub(crate) body: At<String>,
+    pub(crate) coefficient: At<f64>,
+}
+
+/// Effect `contact`, with a plane or another body; `restitution` and `friction` are for the effects of
+/// these names.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Contact {
+    pub(crate) name: String,
+    pub(crate) body: At<String>,
+    pub(crate) with: Option<At<String>>,
+    #[serde(default = "upwards")]
+    pub(crate) normal: [f64; 2],
+    #[serde(default)]
+    pub(crate) offset: f64,
+    pub(crate) restitution: Option<At<f64>>,
+    pub(crate) friction: Option<At<f64>>,
+}
+
+/// Effect `joint`: one of `rail`, `anchor`, `with`.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Joint {
+    pub(crate) name: String,
+    pub(crate) body: At<String>,
+    pub(crate) rail: Option<[f64; 2]>,
+    pub(crate) anchor: Option<[f64; 2]>,
+    pub(crate) with: Option<At<String>>,
+}
+
+/// Effect `relay`: `x' += input λ`, `y = output · x`, `−λ` in the sign of `y`.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Relay {
+    pub(crate) name: String,
+    pub(crate) input: Vec<f64>,
+    pub(crate) output: Vec<f64>,
+    #[serde(default = "minus_one")]
+    pub(crate) lower: f64,
+    #[serde(default = "one")]
+    pub(crate) upper: f64,
+}
+
+/// Effect `sliding_mode`: a twisting controller with two inputs, times the gain, and two outputs.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct SlidingMode {
+    pub(crate) name: String,
+    pub(crate) gain: f64,
+    pub(crate) inputs: [Vec<f64>; 2],
+    pub(crate) outputs: [Vec<f64>; 2],
+}
+
+fn upwards() -> [f64; 2] {
+    [0.0, 1.0]
+}
+
+fn one() -> f64 {
+    1.0
+}
+
+fn minus_one() -> f64 {
+    -1.0
+}
+
+/// Numbers of things by their names.
+pub(crate) type Names<T> = BTreeMap<String, T>;

@@ -1,0 +1,198 @@
+//! [`StepProblem`]: the mixed complementarity problem of one time step.
+
+use super::error::DynamicsError;
+use super::sparse_rows::SparseRows;
+use crate::globalise::Stall;
+use crate::model::{Equation, Model, Reader, Set, Shape, Variable};
+use crate::problem::{AdProblem, Problem};
+use crate::scalar::{OperationCounts, Real, Scalar};
+use crate::solver::{Method, Options, Solution, Solver};
+
+/// How an unknown `λ_i` and `y_i = q_i + Σ_j M_ij λ_j` belong together.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Law {
+    /// `y_i` complementary to `λ_i` between its bounds.
+    Bounds,
+    /// Coulomb's law in the plane: `λ_i` opposes the slip `y_i` with at most `μ λ_normal`.
+    Coulomb { normal: usize, mu: f64 },
+}
+
+/// An unknown of a step.
+#[derive(Clone, Debug)]
+pub(super) struct Unknown {
+    pub(super) name: String,
+    pub(super) lower: f64,
+    pub(super) upper: f64,
+    pub(super) law: Law,
+}
+
+/// The problem of one step, affine but for friction:
+///
+/// ```text
+/// y = q + M λ
+/// F_i = y_i                                                  by the bounds of λ_i
+/// F_i = λ_i − clamp(λ_i − y_i / M_ii, −μ λ_n, μ λ_n)         friction, λ_i free
+/// ```
+///
+/// The second is Coulomb's law for every factor of `y_i`; with `1/M_ii` a sticking contact has the
+/// same units on both sides. `q` and `M` change from step to step, the pattern does not.
+pub(super) struct StepModel {
+    shape: Shape,
+    laws: Vec<Law>,
+    pub(super) q: Vec<f64>,
+    pub(super) m: SparseRows,
+    /// `1 / M_ii` of friction rows.
+    rho: Vec<f64>,
+}
+
+impl StepModel {
+    /// `y_i` at `λ`.
+    fn y<D: Scalar>(&self, i: usize, lambda: impl Fn(usize) -> D) -> D {
+        self.m.times(i, lambda).shift(self.q[i])
+    }
+}
+
+impl Model for StepModel {
+    fn shape(&self) -> &Shape {
+        &self.shape
+    }
+
+    fn row<D: Scalar>(&self, _family: usize, i: usize, read: &Reader<'_, D>) -> Real<D> {
+        let y = Real::from_scalar(self.y(i, |j| read.var(j).0));
+        match self.laws[i] {
+            Law::Bounds => y,
+            Law::Coulomb { normal, mu } => {
+                let (r, limit) = (read.var(i), mu * read.var(normal));
+                r - (r - self.rho[i] * y).clamp(-limit, limit)
+            }
+        }
+    }
+}
+
+/// What the solve of a step cost.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Solved {
+    pub(super) iterations: usize,
+    pub(super) residual: f64,
+}
+
+impl Solved {
+    fn of(solution: &Solution) -> Self {
+        let residual = solution.certificate.natural_residual;
+        Solved { iterations: solution.stats.iterations, residual }
+    }
+}
+
+/// The problem of a step for one set of active pairs, with its solver: pattern, symbolic work and
+/// memory are kept while the set stays the same.
+pub(super) struct StepProblem {
+    problem: AdProblem<StepModel>,
+    solver: Solver,
+    /// For steps that the first does not solve.
+    second: Option<Box<Solver>>,
+    /// Start of the next solve, and its solution.
+    pub(super) lambda: Vec<f64>,
+    names: String,
+}
+
+impl StepProblem {
+    /// For these unknowns; `columns` are the unknowns that each `y_i` reads.
+    pub(super) fn new(
+        unknowns: &[Unknown],
+        columns: &[Vec<usize>],
+        options: &Options,
+    ) -> Result<Self, DynamicsError> {
+        let n = unknowns.len();
+        let labels = Set::new("pairs", unknowns.iter().map(|u| u.name.clone()))?;
+        let bounds = |bound: fn(&Unknown) -> f64| unknowns.iter().map(bound).collect::<Vec<_>>();
+        let lambda = Variable::new("lambda")
+            .over(&[&labels])
+            .lower(bounds(|u| u.lower))
+            .upper(bounds(|u| u.upper));
+        let law = Equation::new("y").over(&[&labels]).complements("lambda");
+        let shape = Shape::builder().variable(lambda).equation(law).build()?;
+        let model = StepModel {
+            shape,
+            laws: unknowns.iter().map(|u| u.law).collect(),
+            q: vec![0.0; n],
+            m: SparseRows::with_columns(columns),
+            rho: vec![0.0; n],
+        };
+        let names: Vec<&str> = unknowns.iter().map(|u| u.name.as_str()).collect();
+        Ok(StepProblem {
+            problem: AdProblem::new(model)?,
+            solver: Solver::new(options.clone())?,
+            second: None,
+            lambda: vec![0.0; n],
+            names: names.join(", "),
+        })
+    }
+
+    /// The data of the step, to be changed.
+    pub(super) fn model_mut(&mut self) -> &mut StepModel {
+        self.problem.model_mut()
+    }
+
+    /// `M` is complete: scales of friction rows.
+    pub(super) fn scale_friction(&mut self) {
+        let model = self.problem.model_mut();
+        for (i, law) in model.laws.iter().enumerate() {
+            if let Law::Coulomb { .. } = law {
+                let diagonal = model.m.row(i).find(|&(j, _)| j == i).map_or(0.0, |(_, m)| m);
+                model.rho[i] = 1.0 / diagonal;
+            }
+        }
+    }
+
+    /// Solves from `lambda`, where the solution is put; `step` and `time` name a failure.
+    pub(super) fn solve(&mut self, step: u64, time: f64) -> Result<Solved, DynamicsError> {
+        let first = self.solver.solve_from(&mut self.problem, &self.lambda)?;
+        let mut solved = Solved::of(first);
+        let solution = if first.is_solved() {
+            first
+        } else {
+            let second = match &mut self.second {
+                Some(second) => second,
+                none => none.insert(Box::new(Solver::new(second_options())?)),
+            };
+            let solution = second.solve_from(&mut self.problem, &self.lambda)?;
+            let iterations = solved.iterations + solution.stats.iterations;
+            solved = Solved { iterations, ..Solved::of(solution) };
+            solution
+        };
+        if !solution.is_solved() {
+            let (active, status, residual) = (self.names.clone(), solution.status, solved.residual);
+            return Err(DynamicsError::NotSolved { step, time, active, status, residual });
+        }
+        self.lambda.copy_from_slice(&solution.z);
+        Ok(solved)
+    }
+
+    /// Structural nonzeros of `J`.
+    pub(super) fn nonzeros(&self) -> usize {
+        self.problem.pattern().nnz()
+    }
+
+    /// Operations of one `F`.
+    pub(super) fn operations(&self) -> OperationCounts {
+        self.problem.operations()
+    }
+}
+
+/// Options of a step: [`Method::NewtonMinFb`] to `1e-13`.
+///
+/// The problems are affine or nearly so, and one step of the min map from the last solution solves
+/// them to the last digits. A step on which it makes no progress for ten iterations, such as where it
+/// cycles ([BG12](crate#references)), is given to [`Method::Robust`], to `1e-12` of the terms of each
+/// equation.
+#[must_use]
+pub fn step_options() -> Options {
+    Options::new(Method::NewtonMinFb).with(|o| {
+        o.tol = Some(1e-13);
+        o.stall = Some(Stall { iterations: 10, ..Stall::default() });
+    })
+}
+
+fn second_options() -> Options {
+    Options::new(Method::Robust).with(|o| o.tol_relative = 1e-12)
+}
