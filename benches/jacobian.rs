@@ -151,9 +151,11 @@ impl Exchange {
 /// Seconds of one call: the quickest of many runs of as many calls as take 20 µs.
 fn seconds(mut call: impl FnMut()) -> f64 {
     let once = Timing::measure(Budget::default(), &mut call).minimum;
-    let calls = (20e-6 / once).ceil().clamp(1.0, 1e4) as usize;
+    let calls = (20e-6 / once).ceil().clamp(1.0, 1e4);
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped")]
+    let repeated = calls as u32;
     let budget = Budget { runs: 1000, time: Duration::from_millis(300) };
-    Timing::measure(budget, || (0..calls).for_each(|_| call())).minimum / calls as f64
+    Timing::measure(budget, || (0..repeated).for_each(|_| call())).minimum / calls
 }
 
 /// Largest difference of an entry, by the largest exact entry of its row.
