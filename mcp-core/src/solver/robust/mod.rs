@@ -3,8 +3,8 @@
 //! ```text
 //! y = z / C, G = R F(C y): equilibrated by powers of two;  every trial point lies in the box
 //! crash        Newton on the natural map, the box as active set
-//! leap         where the crash fails because its full step leads to other scales: take it, measure there
 //! josephy      the linearised problem by pivoting, for small problems
+//! leap         where the crash's full step led to other scales, not taken: take it, measure there
 //! semismooth   Newton on Φ, non-monotone search, Levenberg–Marquardt where it fails;  tail
 //! cascade      josephy · sized · smoothing · penalised · boxes · rescaled · proximal · starts
 //! ```
@@ -86,10 +86,11 @@ impl Search<'_, '_> {
     fn cascade(&mut self) -> Flow<Infallible> {
         let budget = self.run.options.robust;
         self.start()?;
-        if self.stage(Stage::Crash, budget.crash, Self::crash)? == Some(StageEnd::Drifted) {
+        let crash = self.stage(Stage::Crash, budget.crash, Self::crash)?;
+        self.stage(Stage::Josephy, budget.josephy_first, Self::josephy_first)?;
+        if crash == Some(StageEnd::Drifted) {
             self.stage(Stage::Leap, budget.rescale, Self::leap)?;
         }
-        self.stage(Stage::Josephy, budget.josephy_first, Self::josephy_first)?;
         self.newton()?;
         self.keep_stuck();
 
