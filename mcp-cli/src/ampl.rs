@@ -1,12 +1,14 @@
 //! The solver convention of AMPL, which Pyomo and others follow.
 //!
 //! ```text
-//! mcp MODEL -AMPL [key=value …]    reads MODEL.nl, writes MODEL.sol; exit code 0 once that is written
+//! mcp MODEL -AMPL [key=value …]    reads MODEL.nl, writes MODEL.sol; exit code 0 once that is written,
+//!                                  so that a file of the keywords that fails is a warning
 //! mcp -v                           version
 //! mcp -=                           keywords
 //! mcp -?                           usage
 //! ```
 //!
+//! An old `MODEL.sol` is removed first: a caller must not take it for the answer of a call that failed.
 //! `-e` before the model leaves out the echo of the assignments. Keywords also come from the
 //! environment variable `mcp_options`, which `option mcp_options '…';` sets in AMPL.
 
@@ -14,9 +16,11 @@ use crate::error::CliError;
 use crate::exit::{Outcome, solve_result};
 use crate::files;
 use crate::keywords::{self, Assigned, KeywordError};
+use crate::output::warn;
 use crate::solve::{Answer, solve};
+use std::ffi::OsString;
 use std::io::Write;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// The first word of what `mcp` says about itself: name and version.
 const VERSION: &str = concat!("mcp ", env!("CARGO_PKG_VERSION"));
@@ -39,30 +43,30 @@ pub(crate) enum Call {
     /// `MODEL -AMPL`.
     Solve {
         /// The model, with or without `.nl`; `None` if it is missing.
-        model: Option<String>,
+        model: Option<PathBuf>,
         /// What stands behind `-AMPL`.
-        assignments: Vec<String>,
+        assignments: Vec<OsString>,
         /// Whether assignments are echoed.
         echo: bool,
         /// An option before `-AMPL` that is not understood.
-        unknown: Option<String>,
+        unknown: Option<OsString>,
     },
 }
 
 impl Call {
     /// The call, if the command line follows the convention.
-    pub(crate) fn parse(given: &[String]) -> Option<Self> {
-        match given.first()?.as_str() {
-            "-v" => return Some(Call::Version),
-            "-=" => return Some(Call::Keywords),
-            "-?" => return Some(Call::Usage),
+    pub(crate) fn parse(given: &[OsString]) -> Option<Self> {
+        match given.first()?.to_str() {
+            Some("-v") => return Some(Call::Version),
+            Some("-=") => return Some(Call::Keywords),
+            Some("-?") => return Some(Call::Usage),
             _ => {}
         }
         let place = given.iter().position(|word| word == "-AMPL")?;
         let (before, behind) = (&given[..place], &given[place + 1..]);
-        let is_option = |word: &&String| word.starts_with('-');
+        let is_option = |word: &&OsString| word.as_encoded_bytes().starts_with(b"-");
         Some(Call::Solve {
-            model: before.iter().find(|word| !is_option(word)).cloned(),
+            model: before.iter().find(|word| !is_option(word)).map(PathBuf::from),
             assignments: behind.to_vec(),
             echo: !before.iter().any(|word| word == "-e"),
             unknown: before.iter().find(|word| is_option(word) && *word != "-e").cloned(),
@@ -77,33 +81,43 @@ pub(crate) fn run(call: &Call, out: &mut impl Write) -> Result<Outcome, CliError
         Call::Keywords => write!(out, "{}", keywords::listing())?,
         Call::Usage => write!(out, "{USAGE}")?,
         Call::Solve { unknown: Some(option), .. } => {
-            return Err(KeywordError::Usage(format!("there is no option `{option}`")).into());
+            return Err(
+                KeywordError::Usage(format!("there is no option `{}`", option.display())).into()
+            );
         }
         Call::Solve { model: None, .. } => {
             return Err(KeywordError::Usage("no model is named".to_owned()).into());
         }
         Call::Solve { model: Some(model), assignments, echo, .. } => {
-            let environment = std::env::var("mcp_options").unwrap_or_default();
-            let assigned = Assigned::from(&environment, assignments)?;
+            files::remove(&files::solution_path(model))?;
+            let environment = std::env::var_os("mcp_options").unwrap_or_default();
+            let assigned = Assigned::from(&environment.to_string_lossy(), assignments)?;
             if *echo {
                 assigned.echo.iter().try_for_each(|line| writeln!(out, "{line}"))?;
             }
-            write_solution(Path::new(model), &assigned, out)?;
+            write_solution(model, &assigned, out)?;
         }
     }
     Ok(Outcome::Good)
 }
 
-/// Solves the model and writes its `.sol` file.
+/// Solves the model and writes its `.sol` file, then the others.
 fn write_solution(path: &Path, assigned: &Assigned, out: &mut impl Write) -> Result<(), CliError> {
+    let solution_path = files::solution_path(path);
+    let outputs = assigned.files.outputs().chain([solution_path.as_path()]);
+    files::are_distinct([path], outputs)?;
     let model = files::model(path)?;
     let how = (&assigned.settings, &assigned.files, assigned.log);
     let answer = solve(&model, path, how, out)?;
     let (solution, message) = (answer.report.solution(), message(&answer));
     let result = solve_result(solution.status, answer.infeasible.is_some());
-    files::write(&files::solution_path(path), |out| {
+    files::write(&solution_path, |out| {
         model.write_sol(out, &solution.z, &solution.f, &message, result)
-    })
+    })?;
+    if let Err(error) = answer.write_files(&model, &assigned.settings, &assigned.files) {
+        warn(error);
+    }
+    Ok(())
 }
 
 /// What AMPL prints when it has read the `.sol` file.
@@ -132,7 +146,7 @@ mod tests {
     use super::*;
 
     fn call(line: &str) -> Option<Call> {
-        let given: Vec<String> = line.split_whitespace().map(str::to_owned).collect();
+        let given: Vec<OsString> = line.split_whitespace().map(OsString::from).collect();
         Call::parse(&given)
     }
 
@@ -149,8 +163,8 @@ mod tests {
     #[test]
     fn model_and_assignments_are_told_apart() {
         let solve = |model: Option<&str>, assignments: &[&str], echo, unknown: Option<&str>| {
-            let assignments = assignments.iter().map(ToString::to_string).collect();
-            let (model, unknown) = (model.map(str::to_owned), unknown.map(str::to_owned));
+            let assignments = assignments.iter().map(OsString::from).collect();
+            let (model, unknown) = (model.map(PathBuf::from), unknown.map(OsString::from));
             Some(Call::Solve { model, assignments, echo, unknown })
         };
         assert_eq!(call("a.nl -AMPL tol=1"), solve(Some("a.nl"), &["tol=1"], true, None));

@@ -1,11 +1,11 @@
 //! The command line of `mcp solve`, `check`, `info` and `batch`.
 
-use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
+use clap::builder::{PathBufValueParser, PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::error::ErrorKind;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use mcp_core::{Method, Options, UnknownMethod};
 use std::ffi::OsStr;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 /// Absolute tolerance of the natural residual unless told otherwise, in the units of the model.
@@ -111,6 +111,13 @@ impl Default for Tolerance {
     }
 }
 
+impl Files {
+    /// All that are written.
+    pub(crate) fn outputs(&self) -> impl Iterator<Item = &Path> {
+        [&self.json, &self.csv, &self.plot].into_iter().flatten().map(PathBuf::as_path)
+    }
+}
+
 impl Settings {
     /// The options of the core.
     pub(crate) fn options(&self) -> Options {
@@ -132,13 +139,13 @@ pub(crate) struct Files {
     #[arg(long, value_name = "FILE")]
     pub(crate) start: Option<PathBuf>,
     /// Write status, point, residuals, costs and all variables as one JSON object
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", value_parser = output_parser())]
     pub(crate) json: Option<PathBuf>,
     /// Write all variables as CSV, every digit
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", value_parser = output_parser())]
     pub(crate) csv: Option<PathBuf>,
     /// Draw residual, steps and changes of the active set over the iterations
-    #[arg(long, value_name = "FILE.svg")]
+    #[arg(long, value_name = "FILE.svg", value_parser = output_parser())]
     pub(crate) plot: Option<PathBuf>,
 }
 
@@ -181,8 +188,8 @@ Examples:
   mcp batch models/*.nl
   mcp batch models/ --jobs 4 --time-limit 30 --csv summary.csv
 
-A file that cannot be read is a line like any other, and the rest goes on. Exit code 0 means that
-every model is solved.";
+A file that cannot be read, or a folder without a model, is a line like any other, and the rest
+goes on. Exit code 0 means that every model is solved.";
 
 /// Arguments of `mcp batch`.
 #[derive(Debug, Args)]
@@ -195,7 +202,7 @@ pub(crate) struct Batch {
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     pub(crate) jobs: Option<u16>,
     /// Write the lines as CSV, every digit
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", value_parser = output_parser())]
     pub(crate) csv: Option<PathBuf>,
     /// How each is solved; the time limit is for each.
     #[command(flatten)]
@@ -232,6 +239,18 @@ impl TypedValueParser for MethodParser {
     fn possible_values(&self) -> Option<Box<dyn Iterator<Item = PossibleValue> + '_>> {
         Some(Box::new(Method::ALL.map(|method| PossibleValue::new(method.name())).into_iter()))
     }
+}
+
+fn output_parser() -> impl TypedValueParser<Value = PathBuf> {
+    PathBufValueParser::new().try_map(output)
+}
+
+/// A file to be written; not `-`, since standard output is for what is printed.
+pub(crate) fn output(path: PathBuf) -> Result<PathBuf, String> {
+    if path.as_os_str() == "-" {
+        return Err("expected a file: standard output is for what is printed".to_owned());
+    }
+    Ok(path)
 }
 
 /// A positive number, or `none`.

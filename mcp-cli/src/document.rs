@@ -1,6 +1,7 @@
 //! The JSON object of `--json`.
 
 use crate::solve::Answer;
+use mcp_cli::nl::NlModel;
 use mcp_core::ReportRow;
 use mcp_core::report::Number;
 use serde::Serialize;
@@ -42,10 +43,10 @@ struct Variable {
 
 /// Writes the object: `status, z, f, natural_residual, relative_residual, iterations,
 /// residual_evaluations, jacobian_evaluations, factorisations, seconds, variables`, and for a solve
-/// that failed `reason, advice`.
+/// that failed `reason, advice`. All lists are of the file's variables, in its order.
 pub(crate) fn write(
     answer: &Answer,
-    seconds: f64,
+    model: &NlModel,
     out: &mut impl Write,
 ) -> Result<(), serde_json::Error> {
     let report = &answer.report;
@@ -55,16 +56,16 @@ pub(crate) fn write(
     let numbers = |list: &[f64]| list.iter().copied().map(Number).collect();
     let document = Document {
         status: solution.status.name(),
-        z: numbers(&solution.z),
-        f: numbers(&solution.f),
+        z: numbers(model.file_levels(&solution.z)),
+        f: numbers(model.file_levels(&solution.f)),
         natural_residual: Number(certificate.natural_residual),
         relative_residual: Number(certificate.relative_residual),
         iterations: stats.iterations,
         residual_evaluations: stats.residual_evaluations,
         jacobian_evaluations: stats.jacobian_evaluations,
         factorisations: stats.factorisations,
-        seconds,
-        variables: report.rows().map(variable).collect::<Result<_, _>>()?,
+        seconds: answer.seconds,
+        variables: report.rows().take(model.variables()).map(variable).collect::<Result<_, _>>()?,
         reason: failed.then(|| answer.reason()),
         advice: failed.then(|| solution.status.advice()),
     };

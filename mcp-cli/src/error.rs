@@ -1,6 +1,7 @@
 //! [`CliError`]: why a command could not be carried out.
 
 use crate::exit;
+use crate::files;
 use crate::keywords::KeywordError;
 use crate::plot::PlotError;
 use crate::start::StartError;
@@ -13,7 +14,7 @@ use std::path::{Path, PathBuf};
 #[derive(Debug, thiserror::Error)]
 pub(crate) enum CliError {
     /// The model cannot be read.
-    #[error("{}: {reason}", .path.display())]
+    #[error("{}: {}", .path.display(), files::reason(.path, .reason))]
     Model {
         /// Its file.
         path: PathBuf,
@@ -47,21 +48,22 @@ pub(crate) enum CliError {
     /// A keyword of the AMPL convention.
     #[error(transparent)]
     Keyword(#[from] KeywordError),
-    /// A folder has no model in it, or cannot be listed.
-    #[error("{}: {reason}", .path.display())]
-    Folder {
-        /// The folder.
+    /// A file would be written over the model or over another file of the same call.
+    #[error("{} would be written over {over}: name another file", .path.display())]
+    Overwrites {
+        /// The file.
         path: PathBuf,
-        /// What is wrong.
-        reason: String,
+        /// What would be lost.
+        over: &'static str,
     },
     /// A model is named, but not what to do with it.
     #[error(
-        "what is to be done with {model}? mcp solve {model}, or as AMPL does, mcp {model} -AMPL"
+        "what is to be done with {0}? mcp solve {0}, or as AMPL does, mcp {0} -AMPL",
+        .model.display()
     )]
     NoCommand {
         /// The model.
-        model: String,
+        model: PathBuf,
     },
     /// Standard output cannot be written.
     #[error("the output cannot be written: {0}")]
@@ -94,13 +96,13 @@ impl CliError {
         |reason| CliError::Problem { path: path.to_owned(), reason: Box::new(reason) }
     }
 
-    /// The exit code; `None` if whoever reads the output has closed it, as `head` does, which is no
-    /// error.
-    pub(crate) fn code(&self) -> Option<u8> {
+    /// The exit code.
+    pub(crate) fn code(&self) -> u8 {
         match self {
-            CliError::Keyword(_) | CliError::NoCommand { .. } => Some(exit::USAGE),
-            CliError::Output(reason) if reason.kind() == io::ErrorKind::BrokenPipe => None,
-            _ => Some(exit::FILE),
+            CliError::Keyword(_) | CliError::NoCommand { .. } | CliError::Overwrites { .. } => {
+                exit::USAGE
+            }
+            _ => exit::FILE,
         }
     }
 }

@@ -1,21 +1,31 @@
 //! Reading models and writing files: every error says which file it is about.
 
 use crate::error::{CliError, WriteError};
-use mcp_cli::nl::NlModel;
-use std::fs::File;
-use std::io::BufWriter;
+use mcp_cli::nl::{NlError, NlModel, stub_and_file, with_suffix};
+use std::collections::HashMap;
+use std::fs::{self, File, OpenOptions};
+use std::io::{BufWriter, ErrorKind};
 use std::path::{Path, PathBuf};
 
 /// Reads a model.
 pub(crate) fn model(path: &Path) -> Result<NlModel, CliError> {
-    NlModel::read(path)
-        .map_err(|reason| CliError::Model { path: path.to_owned(), reason: Box::new(reason) })
+    let failed = |reason| CliError::Model { path: stub_and_file(path).1, reason: Box::new(reason) };
+    NlModel::read(path).map_err(failed)
+}
+
+/// What is wrong with a model, in a line that begins with its path.
+pub(crate) fn reason(path: &Path, error: &NlError) -> String {
+    match error {
+        NlError::Io { path: unreadable, source } if *unreadable == stub_and_file(path).1 => {
+            source.to_string()
+        }
+        _ => error.to_string(),
+    }
 }
 
 /// Whether a word of the command line is a model: a file, with or without `.nl`.
-pub(crate) fn is_model(word: &str) -> bool {
-    let is_file = |path: &Path| path.is_file();
-    is_file(Path::new(word)) || is_file(Path::new(&format!("{word}.nl")))
+pub(crate) fn is_model(word: &Path) -> bool {
+    stub_and_file(word).1.is_file()
 }
 
 /// Name of a model in headlines: its file without folder and `.nl`.
@@ -26,14 +36,62 @@ pub(crate) fn name(path: &Path) -> String {
 
 /// `MODEL.sol` beside `MODEL.nl`, whether the stub `MODEL` is given or its file.
 pub(crate) fn solution_path(path: &Path) -> PathBuf {
-    let stub = if path.extension().is_some_and(|end| end == "nl") {
-        path.with_extension("")
-    } else {
-        path.to_owned()
-    };
-    let mut name = stub.into_os_string();
-    name.push(".sol");
-    name.into()
+    with_suffix(&stub_and_file(path).0, ".sol")
+}
+
+/// Checks that no output is a model or another output. Devices may be written twice.
+pub(crate) fn are_distinct<'a>(
+    models: impl IntoIterator<Item = &'a Path>,
+    outputs: impl IntoIterator<Item = &'a Path>,
+) -> Result<(), CliError> {
+    let outputs: Vec<&Path> = outputs.into_iter().collect();
+    if outputs.is_empty() {
+        return Ok(());
+    }
+    let models = models.into_iter().filter_map(|path| identity(&stub_and_file(path).1));
+    let mut taken: HashMap<PathBuf, &str> = models.map(|path| (path, "the model")).collect();
+    for path in outputs {
+        let Some(identity) = identity(path) else { continue };
+        if let Some(over) = taken.insert(identity, "another file of this call") {
+            return Err(CliError::Overwrites { path: path.to_owned(), over });
+        }
+    }
+    Ok(())
+}
+
+/// The same for all paths of one file, whether it exists or not; `None` for what is no file, such
+/// as `/dev/null`.
+fn identity(path: &Path) -> Option<PathBuf> {
+    if path.exists() {
+        return path.is_file().then(|| path.canonicalize().unwrap_or_else(|_| path.to_owned()));
+    }
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
+    let folder = folder.unwrap_or(Path::new(".")).canonicalize();
+    Some(
+        folder
+            .ok()
+            .zip(path.file_name())
+            .map_or(path.to_owned(), |(folder, name)| folder.join(name)),
+    )
+}
+
+/// Checks that a file can be written; what is in it stays.
+pub(crate) fn can_be_written(path: &Path) -> Result<(), CliError> {
+    let opened = OpenOptions::new().write(true).create(true).truncate(false).open(path);
+    opened.map(drop).map_err(failed(path))
+}
+
+/// Removes a file if it exists.
+pub(crate) fn remove(path: &Path) -> Result<(), CliError> {
+    match fs::remove_file(path) {
+        Err(error) if error.kind() != ErrorKind::NotFound => Err(failed(path)(error)),
+        _ => Ok(()),
+    }
+}
+
+/// For `map_err`: this file cannot be written.
+pub(crate) fn failed<E: Into<WriteError>>(path: &Path) -> impl Fn(E) -> CliError + '_ {
+    |reason| CliError::Write { path: path.to_owned(), reason: Box::new(reason.into()) }
 }
 
 /// Writes a file.
@@ -41,11 +99,10 @@ pub(crate) fn write<E: Into<WriteError>>(
     path: &Path,
     content: impl FnOnce(&mut BufWriter<File>) -> Result<(), E>,
 ) -> Result<(), CliError> {
-    let failed = |reason| CliError::Write { path: path.to_owned(), reason: Box::new(reason) };
-    let mut out = BufWriter::new(File::create(path).map_err(|e| failed(e.into()))?);
-    content(&mut out).map_err(|e| failed(e.into()))?;
+    let mut out = BufWriter::new(File::create(path).map_err(failed(path))?);
+    content(&mut out).map_err(failed(path))?;
     // Dropping the buffer would hide a full disk.
-    out.into_inner().map(drop).map_err(|e| failed(e.into_error().into()))
+    out.into_inner().map(drop).map_err(|error| failed(path)(error.into_error()))
 }
 
 #[cfg(test)]

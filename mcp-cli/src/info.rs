@@ -42,16 +42,16 @@ pub(crate) fn run(args: &Info, out: &mut impl Write) -> Result<Outcome, CliError
 /// All operations, and by kind.
 fn counts(operations: OperationCounts) -> String {
     let kinds = [
-        (operations.additions, "additions"),
-        (operations.multiplications, "multiplications"),
-        (operations.divisions, "divisions"),
-        (operations.functions, "functions"),
-        (operations.selections, "selections"),
+        (operations.additions, "addition"),
+        (operations.multiplications, "multiplication"),
+        (operations.divisions, "division"),
+        (operations.functions, "function"),
+        (operations.selections, "selection"),
     ];
     let kinds: Vec<String> = kinds
         .iter()
         .filter(|kind| kind.0 > 0)
-        .map(|(count, kind)| format!("{count} {kind}"))
+        .map(|(count, kind)| format!("{count} {kind}{}", if *count == 1 { "" } else { "s" }))
         .collect();
     let total = operations.total();
     if kinds.is_empty() { total.to_string() } else { format!("{total}: {}", kinds.join(", ")) }

@@ -1,7 +1,10 @@
 //! Keywords of the AMPL convention: `key=value` behind `-AMPL` and in `mcp_options`.
 
-use crate::args::{Files, Log, Settings, seconds, tolerance};
+use crate::args::{Files, Log, Settings, output, seconds, tolerance};
+use clap::ValueEnum;
+use mcp_core::Method;
 use mcp_core::error::{did_you_mean, nearest};
+use std::ffi::OsString;
 use std::fmt::Write;
 
 /// A keyword.
@@ -12,6 +15,8 @@ struct Keyword {
     path_name: Option<&'static str>,
     value: &'static str,
     about: &'static str,
+    /// All values, where they are few.
+    choices: Option<fn() -> Vec<String>>,
     set: fn(&mut Assigned, &str) -> Result<(), String>,
 }
 
@@ -22,8 +27,9 @@ const KEYWORDS: [Keyword; 8] = [
         path_name: None,
         value: "FILE",
         about: "write all variables as CSV",
+        choices: None,
         set: |to, value| {
-            to.files.csv = Some(value.into());
+            to.files.csv = Some(output(value.into())?);
             Ok(())
         },
     },
@@ -32,8 +38,9 @@ const KEYWORDS: [Keyword; 8] = [
         path_name: None,
         value: "FILE",
         about: "write status, point, residuals and costs as JSON",
+        choices: None,
         set: |to, value| {
-            to.files.json = Some(value.into());
+            to.files.json = Some(output(value.into())?);
             Ok(())
         },
     },
@@ -41,14 +48,11 @@ const KEYWORDS: [Keyword; 8] = [
         name: "log",
         path_name: None,
         value: "WHAT",
-        about: "print iterations, final or none (default none)",
+        about: "what is printed (default none)",
+        choices: Some(log_names),
         set: |to, value| {
-            to.log = match value {
-                "iterations" => Log::Iterations,
-                "final" => Log::Final,
-                "none" => Log::None,
-                _ => return Err("expected iterations, final or none".to_owned()),
-            };
+            let wrong = |_| format!("expected {}", listed(&log_names()));
+            to.log = Log::from_str(value, false).map_err(wrong)?;
             Ok(())
         },
     },
@@ -57,6 +61,7 @@ const KEYWORDS: [Keyword; 8] = [
         path_name: Some("major_iteration_limit"),
         value: "N",
         about: "iterations before giving up (default by method)",
+        choices: None,
         set: |to, value| {
             let limit = value.parse().map_err(|_| "expected a whole number".to_owned())?;
             to.settings.max_iterations = Some(limit);
@@ -67,7 +72,8 @@ const KEYWORDS: [Keyword; 8] = [
         name: "method",
         path_name: None,
         value: "NAME",
-        about: "robust (default), newton_fb, newton_min_fb, old_fb or lemke",
+        about: "the algorithm (default robust)",
+        choices: Some(method_names),
         set: |to, value| {
             to.settings.method =
                 value.parse().map_err(|e: mcp_core::UnknownMethod| e.to_string())?;
@@ -79,8 +85,9 @@ const KEYWORDS: [Keyword; 8] = [
         path_name: None,
         value: "FILE.svg",
         about: "draw residual, steps and changes of the active set",
+        choices: None,
         set: |to, value| {
-            to.files.plot = Some(value.into());
+            to.files.plot = Some(output(value.into())?);
             Ok(())
         },
     },
@@ -89,6 +96,7 @@ const KEYWORDS: [Keyword; 8] = [
         path_name: None,
         value: "S",
         about: "seconds before giving up (default none)",
+        choices: None,
         set: |to, value| {
             to.settings.time_limit = Some(seconds(value)?);
             Ok(())
@@ -99,6 +107,7 @@ const KEYWORDS: [Keyword; 8] = [
         path_name: Some("convergence_tolerance"),
         value: "T",
         about: "largest natural residual, or none (default 1e-6)",
+        choices: None,
         set: |to, value| {
             to.settings.tol = tolerance(value)?;
             Ok(())
@@ -146,6 +155,9 @@ pub(crate) enum KeywordError {
         /// What is expected.
         reason: String,
     },
+    /// An assignment that is no text.
+    #[error("{0} is not UTF-8")]
+    NotText(String),
     /// An option of AMPL's command line that is not understood, or no model.
     #[error("{0}; usage: mcp MODEL -AMPL [key=value ...]")]
     Usage(String),
@@ -156,7 +168,7 @@ impl Assigned {
     ///
     /// # Errors
     /// [`KeywordError`] names the first assignment that cannot be understood.
-    pub(crate) fn from(environment: &str, arguments: &[String]) -> Result<Self, KeywordError> {
+    pub(crate) fn from(environment: &str, arguments: &[OsString]) -> Result<Self, KeywordError> {
         let (settings, files) = (Settings::default(), Files::default());
         let mut assigned = Assigned { settings, files, log: Log::None, echo: Vec::new() };
         let mut rest = environment.trim_start();
@@ -166,9 +178,11 @@ impl Assigned {
             rest = behind;
         }
         for argument in arguments {
-            let (name, value) = argument
+            let text = argument.to_str();
+            let text = text.ok_or_else(|| KeywordError::NotText(argument.display().to_string()))?;
+            let (name, value) = text
                 .split_once('=')
-                .ok_or_else(|| KeywordError::NoValue { name: argument.clone() })?;
+                .ok_or_else(|| KeywordError::NoValue { name: text.to_owned() })?;
             assigned.assign(name.trim(), value.trim())?;
         }
         Ok(assigned)
@@ -219,15 +233,33 @@ fn first_assignment(text: &str) -> Result<(&str, &str, &str), KeywordError> {
     Ok((name, value, behind.trim_start()))
 }
 
+fn log_names() -> Vec<String> {
+    let names = Log::value_variants().iter().filter_map(Log::to_possible_value);
+    names.map(|value| value.get_name().to_owned()).collect()
+}
+
+fn method_names() -> Vec<String> {
+    Method::ALL.map(|method| method.name().to_owned()).to_vec()
+}
+
+/// `a, b or c`.
+fn listed(names: &[String]) -> String {
+    match names {
+        [first @ .., last] if !first.is_empty() => format!("{} or {last}", first.join(", ")),
+        _ => names.concat(),
+    }
+}
+
 /// The text of `mcp -=`.
 pub(crate) fn listing() -> String {
     let mut text =
         "Keywords, in the option mcp_options or behind -AMPL, as key=value:\n\n".to_owned();
-    for Keyword { name, path_name, value, about, .. } in &KEYWORDS {
+    for Keyword { name, path_name, value, about, choices, .. } in &KEYWORDS {
+        let choices = choices.map_or(String::new(), |names| format!(": {}", listed(&names())));
         let alias = path_name.map_or(String::new(), |alias| format!("; PATH: {alias}"));
         let form = format!("{name}={value}");
         // Writing to a string does not fail.
-        let _ = writeln!(text, "  {form:<17} {about}{alias}");
+        let _ = writeln!(text, "  {form:<17} {about}{choices}{alias}");
     }
     text
 }
@@ -235,11 +267,10 @@ pub(crate) fn listing() -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use mcp_core::Method;
     use std::time::Duration;
 
     fn given(environment: &str, arguments: &[&str]) -> Result<Assigned, String> {
-        let arguments: Vec<String> = arguments.iter().map(ToString::to_string).collect();
+        let arguments: Vec<OsString> = arguments.iter().map(OsString::from).collect();
         Assigned::from(environment, &arguments).map_err(|error| error.to_string())
     }
 
@@ -282,6 +313,8 @@ mod tests {
         assert!(wrong("method=path").contains("choose robust"));
         assert_eq!(wrong("tol"), "the keyword `tol` has no value: write tol=value");
         assert_eq!(wrong("json=\"a"), "the keyword `json` has no value: write json=value");
+        assert_eq!(wrong("log=finl"), "log=finl: expected iterations, final or none");
+        assert!(wrong("csv=-").starts_with("csv=-: expected a file"));
         assert!(given("", &["fast"]).is_err());
     }
 

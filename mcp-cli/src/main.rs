@@ -19,6 +19,7 @@ mod files;
 mod history;
 mod info;
 mod keywords;
+mod output;
 mod plot;
 mod solve;
 mod start;
@@ -29,35 +30,32 @@ use clap::Parser;
 use clap::error::ErrorKind;
 use error::CliError;
 use exit::Outcome;
-use std::io::{self, BufWriter, IsTerminal, Write};
+use output::Output;
+use std::ffi::OsString;
+use std::io::{self, Write};
+use std::path::PathBuf;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    let given: Vec<String> =
-        std::env::args_os().skip(1).map(|arg| arg.to_string_lossy().into_owned()).collect();
-    // A person at a terminal wants to see every line when it is written.
-    let stdout = io::stdout().lock();
-    let mut out: Box<dyn Write> =
-        if stdout.is_terminal() { Box::new(stdout) } else { Box::new(BufWriter::new(stdout)) };
+    let given: Vec<OsString> = std::env::args_os().skip(1).collect();
+    let mut out = Output::stdout();
     let outcome = match ampl::Call::parse(&given) {
         Some(call) => ampl::run(&call, &mut out),
-        None => command(&mut out),
+        None => command(&given, &mut out),
     };
-    match outcome.and_then(|outcome| Ok(out.flush().map(|()| outcome)?)) {
+    let printed = out.finish().map_err(CliError::from);
+    match outcome.and_then(|outcome| printed.map(|()| outcome)) {
         Ok(outcome) => outcome.into(),
-        Err(error) => match error.code() {
-            Some(code) => {
-                // Nobody is left to tell if this fails too.
-                let _ = writeln!(io::stderr(), "error: {error}");
-                ExitCode::from(code)
-            }
-            None => ExitCode::SUCCESS,
-        },
+        Err(error) => {
+            // Nobody is left to tell if this fails too.
+            let _ = writeln!(io::stderr(), "error: {error}");
+            ExitCode::from(error.code())
+        }
     }
 }
 
-fn command(out: &mut impl Write) -> Result<Outcome, CliError> {
-    match parse()?.command {
+fn command(given: &[OsString], out: &mut impl Write) -> Result<Outcome, CliError> {
+    match parse(given)?.command {
         Command::Solve(args) => solve::run(&args, out),
         Command::Check(args) => check::run(&args, out),
         Command::Info(args) => info::run(&args, out),
@@ -66,8 +64,8 @@ fn command(out: &mut impl Write) -> Result<Outcome, CliError> {
 }
 
 /// The command line; where it cannot be understood, or asks for help, clap answers and exits.
-fn parse() -> Result<Cli, CliError> {
-    Cli::try_parse().or_else(|error| match (error.kind(), std::env::args().nth(1)) {
+fn parse(given: &[OsString]) -> Result<Cli, CliError> {
+    Cli::try_parse().or_else(|error| match (error.kind(), given.first().map(PathBuf::from)) {
         (ErrorKind::InvalidSubcommand, Some(model)) if files::is_model(&model) => {
             Err(CliError::NoCommand { model })
         }

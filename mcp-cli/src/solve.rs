@@ -6,7 +6,8 @@ use crate::error::CliError;
 use crate::exit::Outcome;
 use crate::files;
 use crate::history::History;
-use crate::plot;
+use crate::output::warn;
+use crate::plot::{self, PlotError};
 use crate::start::{self, StartError};
 use crate::style::Style;
 use mcp_cli::nl::NlModel;
@@ -21,18 +22,26 @@ use std::time::Instant;
 
 /// Carries out `mcp solve`.
 pub(crate) fn run(args: &Solve, out: &mut impl Write) -> Result<Outcome, CliError> {
+    files::are_distinct([args.model.as_path()], args.files.outputs())?;
     let model = files::model(&args.model)?;
     let how = (&args.settings, &args.files, args.log);
     let answer = solve(&model, &args.model, how, out)?;
+    answer.write_files(&model, &args.settings, &args.files)?;
     Ok(Outcome::of(answer.report.solution().is_solved()))
 }
 
 /// How a solve ended.
 pub(crate) struct Answer {
+    /// Of the model.
+    name: String,
     /// The report, not solved included.
     pub(crate) report: Report,
     /// If it is not solved: a proof that it has no solution, where there is one.
     pub(crate) infeasible: Option<Infeasible>,
+    /// Time of the solve.
+    pub(crate) seconds: f64,
+    /// All iterates, if a picture is wanted.
+    history: Option<History>,
 }
 
 impl Answer {
@@ -47,9 +56,45 @@ impl Answer {
         };
         format!("{}{found}", status.meaning())
     }
+
+    /// Writes all files but `.sol`: each is tried, whatever becomes of the others.
+    ///
+    /// # Errors
+    /// The first that cannot be written.
+    pub(crate) fn write_files(
+        &self,
+        model: &NlModel,
+        settings: &Settings,
+        wanted: &Files,
+    ) -> Result<(), CliError> {
+        let json = wanted
+            .json
+            .as_ref()
+            .map_or(Ok(()), |path| files::write(path, |out| document::write(self, model, out)));
+        let csv = wanted
+            .csv
+            .as_ref()
+            .map_or(Ok(()), |path| files::write(path, |out| self.report.write_csv(out)));
+        let plot = wanted.plot.as_ref().map_or(Ok(()), |path| self.draw(path, settings));
+        json.and(csv).and(plot)
+    }
+
+    /// Draws the iterates; if there is nothing to see, says so and leaves the file alone.
+    fn draw(&self, path: &Path, settings: &Settings) -> Result<(), CliError> {
+        let moments = self.history.as_ref().map_or(&[][..], History::moments);
+        let title = format!("{}: {}", self.name, self.report.solution().status.name());
+        match plot::svg(moments, &title, settings.tol.0) {
+            Ok(picture) => files::write(path, |out| out.write_all(picture.as_bytes())),
+            Err(nothing @ PlotError::Nothing) => {
+                warn(files::failed(path)(nothing));
+                Ok(())
+            }
+            Err(error) => Err(files::failed(path)(error)),
+        }
+    }
 }
 
-/// Solves a model read from `path`, prints what `log` says and writes all files but `.sol`.
+/// Solves a model read from `path` and prints what `log` says.
 pub(crate) fn solve(
     model: &NlModel,
     path: &Path,
@@ -76,30 +121,18 @@ pub(crate) fn solve(
     }
     let report = Report::new(&mut problem, solution).map_err(CliError::problem(path))?.named(&name);
     let infeasible = if solution.is_solved() { None } else { infeasible(&problem) };
-    let answer = Answer { report, infeasible };
+    let answer = Answer { name, report, infeasible, seconds, history };
     if log != Log::None {
         Style::of_stdout().report(&answer.report.to_string(), solution.is_solved(), out)?;
         if let Some(proof) = &answer.infeasible {
             writeln!(out, "\nno solution, {proof}")?;
         }
     }
-    if let Some(path) = &wanted.json {
-        files::write(path, |out| document::write(&answer, seconds, out))?;
-    }
-    if let Some(path) = &wanted.csv {
-        files::write(path, |out| answer.report.write_csv(out))?;
-    }
-    if let (Some(path), Some(history)) = (&wanted.plot, &history) {
-        let title = format!("{name}: {}", solution.status.name());
-        let picture = plot::svg(history.moments(), &title, settings.tol.0);
-        files::write(path, |out| -> Result<(), plot::PlotError> {
-            Ok(out.write_all(picture?.as_bytes())?)
-        })?;
-    }
     Ok(answer)
 }
 
-/// Starts from the levels in a file, moved into the bounds.
+/// Starts from the levels in a file, moved into the bounds, and auxiliary variables where their
+/// equations then hold.
 pub(crate) fn set_start(
     problem: &mut AdProblem<&NlModel>,
     file: Option<&Path>,
@@ -108,7 +141,11 @@ pub(crate) fn set_start(
     let failed =
         |reason: StartError| CliError::Start { path: path.to_owned(), reason: Box::new(reason) };
     let levels = start::read(path, Problem::shape(problem)).map_err(failed)?;
-    problem.set_start(&levels).map_err(|reason| failed(reason.into()))
+    let set = problem.set_start(&levels).and_then(|()| {
+        let start = problem.model().with_auxiliaries(Problem::shape(problem).start());
+        problem.set_start(&start)
+    });
+    set.map_err(|reason| failed(reason.into()))
 }
 
 /// Shows every iterate to whoever wants to see it.

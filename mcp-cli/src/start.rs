@@ -42,6 +42,12 @@ pub(crate) enum StartError {
         /// The nearest name of a variable, if one is near.
         nearest: Option<String>,
     },
+    /// A name stands twice.
+    #[error("`{name}` has two levels")]
+    Twice {
+        /// The name.
+        name: String,
+    },
     /// A level is not finite.
     #[error(transparent)]
     Level(#[from] ModelError),
@@ -66,8 +72,13 @@ fn place(levels: Levels, shape: &Shape) -> Result<Vec<f64>, StartError> {
     let names: Vec<String> = (0..shape.n()).map(|i| shape.variable_name(i)).collect();
     let index: HashMap<&str, usize> = names.iter().map(String::as_str).zip(0..).collect();
     let mut start = shape.start().to_vec();
+    let mut is_given = vec![false; names.len()];
     for (name, level) in levels {
-        match index.get(name.as_str()) {
+        let place = index.get(name.as_str());
+        if place.is_some_and(|&i| std::mem::replace(&mut is_given[i], true)) {
+            return Err(StartError::Twice { name });
+        }
+        match place {
             Some(&i) if level.is_finite() => start[i] = level,
             Some(_) => {
                 return Err(ModelError::StartNotFinite { variable: name, value: level }.into());
@@ -97,7 +108,6 @@ fn from_csv(text: &str) -> Result<Levels, StartError> {
         .has_headers(false)
         .flexible(true)
         .trim(csv::Trim::All)
-        .comment(Some(b'#'))
         .from_reader(text.as_bytes());
     let (mut levels, mut columns, mut state) = (Vec::new(), (0, 1), None);
     for (k, record) in reader.records().enumerate() {
@@ -148,6 +158,11 @@ mod tests {
     }
 
     #[test]
+    fn a_name_may_begin_with_a_hash() {
+        assert_eq!(from_csv("#1,7\n").unwrap(), [("#1".to_owned(), 7.0)]);
+    }
+
+    #[test]
     fn json_is_read_by_its_variables() {
         let text = r#"{"status": "solved", "variables": [{"name": "z[2]", "level": 3}]}"#;
         assert_eq!(placed(from_json(text)), Ok(vec![1.0, 3.0, 1.0]));
@@ -161,6 +176,8 @@ mod tests {
         assert_eq!(placed(from_csv("z[4],1\n")), Err(unknown.to_owned()));
         let level = "line 2: expected a name and a level, found `z[2],high`";
         assert_eq!(placed(from_csv("z[1],1\nz[2],high\n")), Err(level.to_owned()));
+        let twice = "`z[2]` has two levels";
+        assert_eq!(placed(from_csv("z[2],1\nz[1],1\nz[2],1\n")), Err(twice.to_owned()));
         assert!(placed(from_csv("z[1],inf\n")).unwrap_err().contains("give a finite number"));
     }
 }

@@ -81,10 +81,41 @@ fn options_come_from_the_environment_and_the_command_line_wins() {
 }
 
 #[test]
+fn a_file_of_the_keywords_that_fails_costs_no_answer() {
+    let folder = folder_with("ampl_side", &["kojima_shindo"]);
+    fs::write(folder.join("outside.nl"), equation(op(43, [op(16, [v(0)])]))).unwrap();
+    let calls: [(&[&str], &str, &str); 3] = [
+        (&["kojima_shindo", "-AMPL", "plot=no/a.svg"], "kojima_shindo.sol", "no/a.svg"),
+        (
+            &["kojima_shindo", "-AMPL", "json=no/a.json", "csv=a.csv"],
+            "kojima_shindo.sol",
+            "no/a.json",
+        ),
+        (&["outside", "-AMPL", "plot=a.svg"], "outside.sol", "a.svg"),
+    ];
+    for (arguments, solution, failed) in calls {
+        let said = mcp(&folder, arguments);
+        assert_eq!(said.code, 0, "{arguments:?}: {}", said.err);
+        let warning = format!("warning: {failed} cannot be written: ");
+        assert!(said.err.starts_with(&warning), "{arguments:?}: {}", said.err);
+        fs::remove_file(folder.join(solution)).unwrap();
+    }
+    assert!(folder.join("a.csv").exists());
+}
+
+#[test]
 fn what_is_not_understood_is_said_and_writes_no_file() {
     let folder = folder_with("ampl_wrong", &["kojima_shindo"]);
     fs::write(folder.join("damaged.nl"), "g3 1 1 0\n 2 2 0\n").unwrap();
-    let calls: [(&[&str], i32, &str); 5] = [
+    for stale in ["kojima_shindo.sol", "damaged.sol"] {
+        fs::write(folder.join(stale), "objno 0 0").unwrap();
+    }
+    let calls: [(&[&str], i32, &str); 6] = [
+        (
+            &["kojima_shindo", "-AMPL", "csv=kojima_shindo.sol"],
+            2,
+            "error: kojima_shindo.sol would be written over another file of this call",
+        ),
         (
             &["kojima_shindo", "-AMPL", "metod=robust"],
             2,
@@ -101,7 +132,7 @@ fn what_is_not_understood_is_said_and_writes_no_file() {
             "error: there is no option `-x`; usage: mcp MODEL -AMPL [key=value ...]\n",
         ),
         (&["-AMPL"], 2, "error: no model is named; usage: mcp MODEL -AMPL [key=value ...]\n"),
-        (&["damaged", "-AMPL"], 3, "error: damaged: "),
+        (&["damaged", "-AMPL"], 3, "error: damaged.nl: line 3, "),
     ];
     for (arguments, code, message) in calls {
         let said = mcp(&folder, arguments);

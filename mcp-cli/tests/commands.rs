@@ -4,7 +4,7 @@
 mod calls;
 mod support;
 
-use calls::{Said, folder_with, is_golden, mcp};
+use calls::{Said, folder_with, is_golden, mcp, mcp_unheard};
 use serde_json::Value;
 use std::fs;
 use std::path::Path;
@@ -83,16 +83,34 @@ fn exit_codes_tell_solved_unsolved_misunderstood_and_unreadable_apart() {
     let folder = folder_with("codes", &["kojima_shindo"]);
     write(&folder, "infinity.nl", &at_infinity());
     fs::write(folder.join("damaged.nl"), "g3 1 1 0\n 2 2 0\n").unwrap();
-    let calls: [(&[&str], i32, &str); 11] = [
+    let calls: [(&[&str], i32, &str); 17] = [
         (&["solve", "kojima_shindo.nl"], 0, ""),
         (&["solve", "kojima_shindo"], 0, ""),
         (&["solve", "kojima_shindo.nl", "--max-iterations", "1"], 1, ""),
         (&["solve", "infinity.nl"], 1, ""),
         (&["solve", "damaged.nl"], 3, "error: damaged.nl: "),
-        (&["solve", "missing.nl"], 3, "error: missing.nl: "),
+        (&["solve", "missing.nl"], 3, "error: missing.nl: No such file or directory"),
+        (&["solve", "missing"], 3, "error: missing.nl: No such file or directory"),
         (&["solve", "kojima_shindo.nl", "--json", "no/f"], 3, "error: no/f cannot be written: "),
         (&["solve", "kojima_shindo.nl", "--start", "none.csv"], 3, "error: none.csv: "),
         (&["solve", "kojima_shindo.nl", "--tol", "0"], 2, "error: invalid value '0'"),
+        (&["solve", "kojima_shindo.nl", "--json", "-"], 2, "error: invalid value '-'"),
+        (
+            &["solve", "kojima_shindo", "--csv", "./kojima_shindo.nl"],
+            2,
+            "error: ./kojima_shindo.nl wou",
+        ),
+        (
+            &["solve", "kojima_shindo", "--csv", "a", "--json", "./a"],
+            2,
+            "error: a would be written ",
+        ),
+        (
+            &["batch", "kojima_shindo.nl", "--csv", "kojima_shindo.nl"],
+            2,
+            "error: kojima_shindo.nl wo",
+        ),
+        (&["batch", "kojima_shindo.nl", "--csv", "no/f"], 3, "error: no/f cannot be written: "),
         (&["solve"], 2, "error: the following required arguments"),
         (&["kojima_shindo.nl"], 2, "error: what is to be done with kojima_shindo.nl?"),
     ];
@@ -100,6 +118,7 @@ fn exit_codes_tell_solved_unsolved_misunderstood_and_unreadable_apart() {
         let said = mcp(&folder, arguments);
         assert_eq!(said.code, code, "{arguments:?}: {said:?}");
         assert!(said.err.starts_with(message), "{arguments:?}: {}", said.err);
+        assert!(code < 2 || said.out.is_empty() || arguments[0] == "solve", "{}", said.out);
         assert_eq!(said.err.is_empty(), code < 2, "{arguments:?}: {}", said.err);
     }
 }
@@ -281,8 +300,93 @@ fn batch_returns_zero_only_if_all_are_solved() {
     let folder = folder_with("batch_good", &["bounds", "free"]);
     assert_eq!(mcp(&folder, &["batch", "bounds.nl", "free.nl"]).code, 0);
     assert_eq!(mcp(&folder, &["batch", "bounds.nl", "--max-iterations", "0"]).code, 1);
-    let empty = mcp(&folder_with("batch_empty", &[]), &["batch", "."]);
-    assert_eq!((empty.code, empty.err.as_str()), (3, "error: .: there is no .nl file\n"));
+    let folder = folder_with("batch_empty", &["bounds"]);
+    fs::create_dir(folder.join("empty")).unwrap();
+    let said = mcp(&folder, &["batch", "empty", "bounds.nl", "--csv", "a.csv"]);
+    assert_eq!((said.code, said.err.as_str()), (1, ""));
+    let lines = fs::read_to_string(folder.join("a.csv")).unwrap();
+    assert!(
+        lines.contains("\nempty,,,unreadable,,") && lines.contains("\nbounds.nl,7,"),
+        "{lines}"
+    );
+}
+
+#[test]
+fn files_are_written_and_codes_true_if_nobody_reads_the_output() {
+    let folder = folder_with("unheard", &["bounds", "kojima_shindo"]);
+    write(&folder, "infinity.nl", &at_infinity());
+    let calls: [(&[&str], i32); 3] = [
+        (&["solve", "bounds.nl", "--json", "a"], 0),
+        (&["solve", "infinity.nl", "--json", "b", "--csv", "c", "--plot", "d"], 1),
+        (&["batch", "infinity.nl", "bounds.nl", "kojima_shindo.nl", "--csv", "e"], 1),
+    ];
+    for (arguments, code) in calls {
+        let said = mcp_unheard(&folder, arguments);
+        assert_eq!((said.code, said.err.as_str()), (code, ""), "{arguments:?}");
+    }
+    assert!(["a", "b", "c", "d"].iter().all(|file| folder.join(file).exists()));
+    assert_eq!(fs::read_to_string(folder.join("e")).unwrap().lines().count(), 4);
+}
+
+#[test]
+fn a_picture_of_nothing_is_a_warning_and_leaves_the_old_one() {
+    let folder = folder_with("no_picture", &[]);
+    write(&folder, "outside.nl", &outside());
+    fs::write(folder.join("a.svg"), "old").unwrap();
+    let arguments = ["solve", "outside.nl", "--plot", "a.svg", "--csv", "a.csv", "--log", "none"];
+    let said = mcp(&folder, &arguments);
+    let warning = "warning: a.svg cannot be written: there is nothing to plot: no iterate has a \
+                   finite residual\n";
+    assert_eq!((said.code, said.err.as_str()), (1, warning));
+    assert_eq!(fs::read_to_string(folder.join("a.svg")).unwrap(), "old");
+}
+
+#[test]
+fn json_has_the_variables_of_the_file_only() {
+    let folder = folder_with("json_auxiliary", &[]);
+    // d_0 = z_0, d_k = d_{k−1}/4 + z_k, so long a chain that the d are auxiliary variables; d_k = 1.
+    let size = 3000;
+    let definition = |k: usize| match k {
+        0 => (vec![(0, 1.0)], n(0.0)),
+        _ => (vec![(k, 1.0)], op(3, [v(size + k - 1), n(4.0)])),
+    };
+    let file = File {
+        variables: vec![(-INF, INF, 0.25); size],
+        rows: (0..size).map(|k| Row(Kind::Equal(1.0), Vec::new(), v(size + k))).collect(),
+        definitions: (0..size).map(definition).collect(),
+        is_incomplete: true,
+    };
+    write(&folder, "chain.nl", &file);
+    mcp(&folder, &["solve", "chain.nl", "--json", "a.json", "--csv", "a.csv", "--log", "none"]);
+    let table = fs::read_to_string(folder.join("a.csv")).unwrap();
+    assert!(table.contains("_sdef[3000]"), "the chain is too short to show anything");
+    let document = json(&folder, "a.json");
+    for list in ["z", "f", "variables"] {
+        assert_eq!(document[list].as_array().unwrap().len(), size, "{list}");
+    }
+    assert_eq!(document["variables"][size - 1]["name"], "_svar[3000]");
+    let again = ["solve", "chain.nl", "--start", "a.json", "--json", "b.json", "--log", "none"];
+    assert_eq!(mcp(&folder, &again).code, 0);
+    assert_eq!(json(&folder, "b.json")["iterations"], 0, "auxiliary variables start there too");
+}
+
+#[test]
+#[cfg(unix)]
+fn paths_need_not_be_utf_8() {
+    use std::ffi::OsString;
+    use std::os::unix::ffi::OsStringExt;
+    let folder = folder_with("not_utf8", &["kojima_shindo"]);
+    let path = |bytes: &[u8]| OsString::from_vec(bytes.to_vec());
+    let (model, stub) = (path(b"a\xff.nl"), path(b"a\xff"));
+    fs::rename(folder.join("kojima_shindo.nl"), folder.join(&model)).unwrap();
+    let said = mcp(&folder, std::slice::from_ref(&model));
+    assert_eq!(said.code, 2);
+    assert!(said.err.starts_with("error: what is to be done with a\u{fffd}.nl?"), "{}", said.err);
+    assert_eq!(mcp(&folder, &["solve".into(), model.clone()]).code, 0);
+    assert_eq!(mcp(&folder, &[stub, "-AMPL".into()]).code, 0);
+    assert!(folder.join(path(b"a\xff.sol")).exists());
+    let said = mcp(&folder, &[model, "-AMPL".into(), path(b"csv=\xff")]);
+    assert_eq!((said.code, said.err.as_str()), (2, "error: csv=\u{fffd} is not UTF-8\n"));
 }
 
 #[test]

@@ -67,12 +67,12 @@ fn a_system_that_is_not_square_says_what_is_left_over() {
     let equation = |j| linear(Kind::Equal(1.0), &[(j, 1.0)]);
     assert_eq!(
         message(&[FREE], &[equation(0), equation(0)]),
-        "the system is not square: 2 equations for 1 free variables that no row complements; `g` \
+        "the system is not square: 2 equations for 1 free variable that no row complements; `g` \
          is the first without one"
     );
     assert!(message(&[FREE, FREE], &[equation(0)]).ends_with("`y` is the first without one"));
     let fixed = (1.0, 1.0, 1.0);
-    assert!(message(&[fixed], &[equation(0)]).contains("1 equations for 0 free variables"));
+    assert!(message(&[fixed], &[equation(0)]).contains("1 equation for 0 free variables"));
 }
 
 #[test]
@@ -200,11 +200,11 @@ fn what_a_complementarity_problem_lacks_is_refused_by_name() {
     };
     assert_eq!(
         altered(discrete("0 1 0 0 0")),
-        "1 variables must be integers, the first `y`: a complementarity problem has real variables \
+        "1 variable must be integral, the first `y`: a complementarity problem has real variables \
          only"
     );
     assert!(
-        altered(discrete("1 1 0 0 0")).starts_with("2 variables must be integers, the first `x`")
+        altered(discrete("1 1 0 0 0")).starts_with("2 variables must be integral, the first `x`")
     );
     assert!(altered(discrete("0 0 0 1 0")).contains("the first `y`"));
 

@@ -1,5 +1,6 @@
 //! [`Line`]: one model of a batch.
 
+use crate::files;
 use mcp_cli::nl::NlModel;
 use mcp_core::{AdProblem, Options, Problem, Solver, Status};
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -57,6 +58,12 @@ impl Line {
         }
     }
 
+    /// Of a folder that gives no model.
+    pub(super) fn unreadable(path: &Path, message: String) -> Self {
+        let result = Err(Failure { kind: "unreadable", message });
+        Line { file: path.display().to_string(), result, seconds: 0.0 }
+    }
+
     /// Whether it was solved.
     pub(super) fn is_solved(&self) -> bool {
         self.result.as_ref().is_ok_and(|solved| solved.status == Status::Solved)
@@ -75,7 +82,7 @@ fn solved(path: &Path, options: &Options) -> Result<Solved, Failure> {
     let refused =
         |error: mcp_core::ModelError| Failure { kind: "refused", message: error.to_string() };
     let model = NlModel::read(path)
-        .map_err(|error| Failure { kind: "unreadable", message: error.to_string() })?;
+        .map_err(|error| Failure { kind: "unreadable", message: files::reason(path, &error) })?;
     let mut problem = AdProblem::new(&model).map_err(refused)?;
     let mut solver = Solver::new(options.clone()).map_err(refused)?;
     let solution = solver.solve(&mut problem).map_err(refused)?;

@@ -11,31 +11,40 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use line::Line;
 use mcp_core::{Options, batch};
 use std::collections::BTreeMap;
-use std::io::{IsTerminal, Write};
+use std::io::{self, IsTerminal, Write};
 use std::num::NonZero;
 use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc;
 use std::time::Instant;
 use table::Table;
 
+/// A model, or the line of a folder that gives none.
+type Listed = Result<PathBuf, Line>;
+
 /// Carries out `mcp batch`.
 pub(crate) fn run(args: &Batch, out: &mut impl Write) -> Result<Outcome, CliError> {
-    let models = listed(&args.models)?;
+    let models = listed(&args.models);
+    if let Some(csv) = &args.csv {
+        files::are_distinct(models.iter().flatten().map(PathBuf::as_path), [csv.as_path()])?;
+        // Nobody wants to learn of a wrong path when all is solved.
+        files::can_be_written(csv)?;
+    }
     let processors = || std::thread::available_parallelism().map_or(1, NonZero::get);
     let jobs = args.jobs.map_or_else(processors, usize::from).min(models.len());
     let began = Instant::now();
     let mut table = Table::new(&models);
     table.write_header(out)?;
     let bar = progress(models.len());
-    let mut failed = Ok(());
+    let mut written = Ok(());
     in_order(&models, &args.settings.options(), jobs, |line| {
-        failed = bar.suspend(|| table.write_line(line, out).and_then(|()| out.flush()));
+        let shown = bar.suspend(|| table.write_line(line, out).and_then(|()| out.flush()));
+        if written.is_ok() {
+            written = shown;
+        }
         bar.inc(1);
-        failed.is_ok()
     });
     bar.finish_and_clear();
-    failed?;
+    written?;
     table.write_summary(began.elapsed(), out)?;
     if let Some(path) = &args.csv {
         files::write(path, |out| table.write_csv(out))?;
@@ -44,32 +53,33 @@ pub(crate) fn run(args: &Batch, out: &mut impl Write) -> Result<Outcome, CliErro
 }
 
 /// The models themselves, and those of folders in the order of their names.
-fn listed(given: &[PathBuf]) -> Result<Vec<PathBuf>, CliError> {
-    let mut models = Vec::new();
-    for path in given {
-        if path.is_dir() {
-            models.extend(models_in(path)?);
-        } else {
-            models.push(path.clone());
+fn listed(given: &[PathBuf]) -> Vec<Listed> {
+    let models = |path: &PathBuf| {
+        if !path.is_dir() {
+            return vec![Ok(path.clone())];
         }
-    }
-    Ok(models)
+        match models_in(path) {
+            Ok(models) if models.is_empty() => {
+                vec![Err(Line::unreadable(path, "there is no .nl file".to_owned()))]
+            }
+            Ok(models) => models.into_iter().map(Ok).collect(),
+            Err(error) => vec![Err(Line::unreadable(path, error.to_string()))],
+        }
+    };
+    given.iter().flat_map(models).collect()
 }
 
-fn models_in(folder: &Path) -> Result<Vec<PathBuf>, CliError> {
-    let failed = |reason: String| CliError::Folder { path: folder.to_owned(), reason };
-    let entries = std::fs::read_dir(folder).map_err(|error| failed(error.to_string()))?;
-    let paths = entries.map(|entry| entry.map(|entry| entry.path()));
-    let mut paths: Vec<PathBuf> =
-        paths.collect::<Result<_, _>>().map_err(|error| failed(error.to_string()))?;
+fn models_in(folder: &Path) -> io::Result<Vec<PathBuf>> {
+    let paths = std::fs::read_dir(folder)?.map(|entry| entry.map(|entry| entry.path()));
+    let mut paths: Vec<PathBuf> = paths.collect::<Result<_, _>>()?;
     paths.retain(|path| path.extension().is_some_and(|end| end == "nl"));
     paths.sort();
-    if paths.is_empty() { Err(failed("there is no .nl file".to_owned())) } else { Ok(paths) }
+    Ok(paths)
 }
 
 /// On standard error, if that is a terminal.
 fn progress(models: usize) -> ProgressBar {
-    if !std::io::stderr().is_terminal() {
+    if !io::stderr().is_terminal() {
         return ProgressBar::hidden();
     }
     let bar = ProgressBar::with_draw_target(Some(models as u64), ProgressDrawTarget::stderr());
@@ -80,23 +90,16 @@ fn progress(models: usize) -> ProgressBar {
 }
 
 /// Solves the models on `jobs` threads and shows the lines in the order of the models, each as soon
-/// as all before it are there, until `show` says no.
-fn in_order(
-    models: &[PathBuf],
-    options: &Options,
-    jobs: usize,
-    mut show: impl FnMut(Line) -> bool,
-) {
+/// as all before it are there.
+fn in_order(models: &[Listed], options: &Options, jobs: usize, mut show: impl FnMut(Line)) {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(jobs).build();
-    let has_enough = &AtomicBool::new(false);
     std::thread::scope(|scope| {
         let (send, receive) = mpsc::channel();
         scope.spawn(move || {
-            let solve = |(k, path): &(usize, &PathBuf)| {
-                // Nobody listens any more once the reader has enough.
-                if !has_enough.load(Ordering::Relaxed) {
-                    let _ = send.send((*k, Line::of(path, options)));
-                }
+            let solve = |(k, model): &(usize, &Listed)| {
+                let line = model.as_ref().map_or_else(Line::clone, |path| Line::of(path, options));
+                // The receiver below takes every line.
+                let _ = send.send((*k, line));
             };
             let models: Vec<_> = models.iter().enumerate().collect();
             let all = || batch(&models, || (), |(), model| solve(model));
@@ -111,10 +114,7 @@ fn in_order(
             waiting.insert(k, line);
             while let Some(line) = waiting.remove(&shown) {
                 shown += 1;
-                if !show(line) {
-                    has_enough.store(true, Ordering::Relaxed);
-                    return;
-                }
+                show(line);
             }
         }
     });
@@ -126,25 +126,14 @@ mod tests {
 
     #[test]
     fn lines_come_in_the_order_of_the_models_however_many_jobs() {
-        let models: Vec<PathBuf> = (0..40).map(|k| format!("missing-{k}.nl").into()).collect();
+        let names: Vec<String> = (0..40).map(|k| format!("missing-{k}.nl")).collect();
+        let models: Vec<Listed> = names.iter().map(|name| Ok(name.into())).collect();
         for jobs in [1, 2, 7] {
             let mut files = Vec::new();
             in_order(&models, &Options::default(), jobs, |line| {
-                files.push(PathBuf::from(line.file));
-                true
+                files.push(line.file);
             });
-            assert_eq!(files, models);
+            assert_eq!(files, names);
         }
-    }
-
-    #[test]
-    fn a_reader_that_has_enough_ends_the_batch() {
-        let models: Vec<PathBuf> = (0..1000).map(|k| format!("missing-{k}.nl").into()).collect();
-        let mut lines = 0;
-        in_order(&models, &Options::default(), 2, |_| {
-            lines += 1;
-            lines < 3
-        });
-        assert_eq!(lines, 3);
     }
 }

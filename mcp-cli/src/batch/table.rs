@@ -1,11 +1,11 @@
 //! [`Table`]: the lines of a batch as text and CSV.
 
+use super::Listed;
 use super::line::Line;
 use crate::style::Style;
 use mcp_core::report::Number;
 use std::collections::BTreeMap;
 use std::io::{self, Write};
-use std::path::PathBuf;
 use std::time::Duration;
 
 /// Columns of the CSV file.
@@ -33,8 +33,11 @@ pub(super) struct Table {
 
 impl Table {
     /// For these models, none yet solved.
-    pub(super) fn new(models: &[PathBuf]) -> Self {
-        let widths = models.iter().map(|path| path.display().to_string().chars().count());
+    pub(super) fn new(models: &[Listed]) -> Self {
+        let widths = models.iter().map(|model| match model {
+            Ok(path) => path.display().to_string().chars().count(),
+            Err(line) => line.file.chars().count(),
+        });
         let width = widths.max().unwrap_or(0).max("model".len());
         Table { lines: Vec::new(), width, style: Style::of_stdout() }
     }

@@ -98,13 +98,8 @@ impl NlModel {
         substitutions: &[Substitution],
         given: &[(usize, f64)],
     ) -> Result<(), NlError> {
-        let mut start = self.shape.start()[..self.variables].to_vec();
+        let mut start = self.with_auxiliaries(self.shape.start());
         let definitions = self.definitions_at(&start);
-        if definitions.is_empty() {
-            for definition in &self.definitions {
-                start.push(finite_or_0(self.value_at(definition, &start, &[])));
-            }
-        }
         let mut is_given = vec![false; self.variables];
         for &(j, _) in given {
             is_given[j] = true;

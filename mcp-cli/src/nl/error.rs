@@ -81,8 +81,8 @@ pub enum NlError {
     },
     /// Variables that must be integers.
     #[error(
-        "{count} variables must be integers, the first `{variable}`: a complementarity problem has \
-         real variables only"
+        "{} must be integral, the first `{variable}`: a complementarity problem has real variables \
+         only", counted(*count, "variable")
     )]
     Integer {
         /// How many.
@@ -135,8 +135,8 @@ pub enum NlError {
     },
     /// Numbers of equations and of the free variables left for them differ.
     #[error(
-        "the system is not square: {equations} equations for {variables} free variables that no \
-         row complements{}", excess(.first)
+        "the system is not square: {} for {} that no row complements{}",
+        counted(*equations, "equation"), counted(*variables, "free variable"), excess(.first)
     )]
     NotSquare {
         /// Rows with `=` that complement no variable.
@@ -186,6 +186,10 @@ pub enum NlError {
     /// Bounds, starts or names that no model may have.
     #[error(transparent)]
     Model(#[from] ModelError),
+}
+
+fn counted(count: usize, noun: &str) -> String {
+    format!("{count} {noun}{}", if count == 1 { "" } else { "s" })
 }
 
 fn excess(first: &str) -> String {

@@ -67,7 +67,7 @@ mod substitute;
 mod tape;
 
 pub use error::{NlError, Place, Segment};
-pub use names::Names;
+pub use names::{Names, stub_and_file, with_suffix};
 
 use assemble::Body;
 use mcp_core::{Model, OperationCounts, Reader, Real, Scalar, Shape, sum};
@@ -108,7 +108,7 @@ impl NlModel {
     /// # Errors
     /// [`NlError::Io`], and as [`parse`](Self::parse).
     pub fn read(path: &Path) -> Result<Self, NlError> {
-        let (stub, path) = names::stub_and_file(path);
+        let (stub, path) = stub_and_file(path);
         let bytes = fs::read(&path).map_err(|source| NlError::Io { path, source })?;
         Self::parse(&bytes, Names::beside(&stub)?)
     }
@@ -140,6 +140,22 @@ impl NlModel {
     /// If `z` is shorter than [`variables`](Self::variables).
     pub fn file_levels<'a>(&self, z: &'a [f64]) -> &'a [f64] {
         &z[..self.variables()]
+    }
+
+    /// The point with these levels of the file's variables, auxiliary variables where their equations
+    /// hold; 0 where that is not finite.
+    ///
+    /// # Panics
+    /// If `z` is shorter than [`variables`](Self::variables).
+    pub fn with_auxiliaries(&self, z: &[f64]) -> Vec<f64> {
+        let mut z = self.file_levels(z).to_vec();
+        if self.shape.n() > self.variables {
+            for definition in &self.definitions {
+                let level = self.value_at(definition, &z, &[]);
+                z.push(if level.is_finite() { level } else { 0.0 });
+            }
+        }
+        z
     }
 
     /// One number for each row of the file, what a `.sol` file gives as dual values: body minus

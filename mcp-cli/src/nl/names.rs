@@ -70,7 +70,14 @@ fn name(names: Option<&[String]>, generic: &str, index: usize) -> String {
 }
 
 /// The stub of a path and the `.nl` file it stands for: AMPL leaves out the suffix.
-pub(super) fn stub_and_file(path: &Path) -> (PathBuf, PathBuf) {
+///
+/// ```
+/// use mcp_cli::nl::stub_and_file;
+/// let of_stub = stub_and_file("folder/model".as_ref());
+/// assert_eq!(of_stub, ("folder/model".into(), "folder/model.nl".into()));
+/// assert_eq!(stub_and_file("folder/model.nl".as_ref()), of_stub);
+/// ```
+pub fn stub_and_file(path: &Path) -> (PathBuf, PathBuf) {
     if path.extension().is_some_and(|extension| extension == "nl") {
         return (path.with_extension(""), path.to_owned());
     }
@@ -80,7 +87,12 @@ pub(super) fn stub_and_file(path: &Path) -> (PathBuf, PathBuf) {
 }
 
 /// The path with a suffix appended: a stub may contain dots.
-fn with_suffix(stub: &Path, suffix: &str) -> PathBuf {
+///
+/// ```
+/// use mcp_cli::nl::with_suffix;
+/// assert_eq!(with_suffix("tmp.v1".as_ref(), ".sol"), std::path::Path::new("tmp.v1.sol"));
+/// ```
+pub fn with_suffix(stub: &Path, suffix: &str) -> PathBuf {
     let mut path = stub.as_os_str().to_owned();
     path.push(suffix);
     path.into()

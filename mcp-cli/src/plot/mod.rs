@@ -24,9 +24,6 @@ pub(crate) enum PlotError {
     /// Nothing was iterated.
     #[error("there is nothing to plot: no iterate has a finite residual")]
     Nothing,
-    /// The file.
-    #[error(transparent)]
-    Io(#[from] std::io::Error),
     /// The drawing library.
     #[error("the plot cannot be drawn: {reason}")]
     Drawing {

@@ -1,9 +1,10 @@
 //! Running the command line, and places for its files.
 #![allow(dead_code, reason = "every test uses a part")]
 
+use std::ffi::OsStr;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::Command;
+use std::process::{Command, Stdio};
 
 /// What a call gave.
 #[derive(Clone, Debug)]
@@ -14,13 +15,23 @@ pub(crate) struct Said {
 }
 
 /// Calls `mcp` in `folder`, with `mcp_options` as given.
-pub(crate) fn mcp_with(options: &str, folder: &Path, arguments: &[&str]) -> Said {
-    let output = Command::new(env!("CARGO_BIN_EXE_mcp"))
-        .args(arguments)
-        .current_dir(folder)
-        .env("mcp_options", options)
-        .output()
-        .expect("mcp can be started");
+pub(crate) fn mcp_with(options: &str, folder: &Path, arguments: &[impl AsRef<OsStr>]) -> Said {
+    said(
+        Command::new(env!("CARGO_BIN_EXE_mcp")).args(arguments).env("mcp_options", options),
+        folder,
+    )
+}
+
+/// Calls `mcp` in `folder`, with nobody who reads what it prints.
+pub(crate) fn mcp_unheard(folder: &Path, arguments: &[&str]) -> Said {
+    let (reader, writer) = std::io::pipe().expect("a pipe can be made");
+    drop(reader);
+    let mut command = Command::new(env!("CARGO_BIN_EXE_mcp"));
+    said(command.args(arguments).env("mcp_options", "").stdout(Stdio::from(writer)), folder)
+}
+
+fn said(command: &mut Command, folder: &Path) -> Said {
+    let output = command.current_dir(folder).output().expect("mcp can be started");
     let text = |bytes| String::from_utf8(bytes).expect("mcp writes UTF-8");
     Said {
         code: output.status.code().expect("mcp is not killed"),
@@ -30,7 +41,7 @@ pub(crate) fn mcp_with(options: &str, folder: &Path, arguments: &[&str]) -> Said
 }
 
 /// Calls `mcp` in `folder`.
-pub(crate) fn mcp(folder: &Path, arguments: &[&str]) -> Said {
+pub(crate) fn mcp(folder: &Path, arguments: &[impl AsRef<OsStr>]) -> Said {
     mcp_with("", folder, arguments)
 }
 
@@ -60,7 +71,8 @@ pub(crate) fn folder_with(name: &str, models: &[&str]) -> PathBuf {
 }
 
 /// Compares with `tests/golden/NAME.txt`, digit by digit, so models are small: from 16 variables on
-/// the linear algebra is other people's and may round differently on another processor.  with `MCP_GOLDEN=write` in the environment writes it.
+/// the linear algebra is other people's and may round differently on another
+/// processor. With `MCP_GOLDEN=write` in the environment writes it.
 #[track_caller]
 pub(crate) fn is_golden(name: &str, found: &str) {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/golden").join(name);
