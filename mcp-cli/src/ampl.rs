@@ -106,7 +106,7 @@ fn write_solution(path: &Path, assigned: &Assigned, out: &mut impl Write) -> Res
     let solution_path = files::solution_path(path);
     let outputs = assigned.files.outputs().chain([solution_path.as_path()]);
     files::are_distinct([path], outputs)?;
-    let model = files::model(path)?;
+    let model = files::model_with_warnings(path)?;
     let how = (&assigned.settings, &assigned.files, assigned.log);
     let answer = solve(&model, path, how, out)?;
     let (solution, message) = (answer.report.solution(), message(&answer));

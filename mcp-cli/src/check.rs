@@ -6,6 +6,7 @@ use crate::exit::Outcome;
 use crate::files;
 use crate::solve::set_start;
 use crate::style::Style;
+use mcp_cli::nl::maximum_matching;
 use mcp_core::{
     AdProblem, BoundKind, DerivativeReport, PointCheck, Problem, Shape, Statement,
     check_derivatives,
@@ -46,7 +47,9 @@ pub(crate) fn run(args: &Check, out: &mut impl Write) -> Result<Outcome, CliErro
 
     let mut findings = Findings::default();
     findings.of_structure(&statement);
+    findings.warnings.extend_from_slice(model.warnings());
     findings.of_pattern(&problem);
+    findings.of_matching(&problem);
     findings.of_scales(&statement);
     if start.len() <= DERIVATIVES || args.derivatives {
         let report = check_derivatives(&model, &start).map_err(&failed)?;
@@ -134,11 +137,35 @@ impl Findings {
             ("variables in no equation", unread.map(|j| shape.variable_name(j)).collect()),
         ];
         for (what, names) in kinds {
-            if !names.is_empty() {
-                let first = names[..names.len().min(NAMES)].join(", ");
-                let more = if names.len() > NAMES { ", …" } else { "" };
-                self.warnings.push(format!("{what} ({}): {first}{more}", names.len()));
+            self.of_names(what, &names);
+        }
+    }
+
+    /// Equations of free variables have to hold whatever the bounds are, so that each needs a variable
+    /// of its own that moves: without, `J` is singular everywhere.
+    fn of_matching(&mut self, problem: &dyn Problem) {
+        let (shape, pattern) = (problem.shape(), problem.pattern());
+        let kind = |i: usize| shape.bounds().kind(i);
+        let mut reads: Vec<Vec<u32>> = vec![Vec::new(); pattern.n()];
+        for j in (0..pattern.n()).filter(|&j| kind(j) != BoundKind::Fixed) {
+            for &i in &pattern.rows()[pattern.column(j)] {
+                reads[i].push(u32::try_from(j).expect("an index of the pattern"));
             }
+        }
+        let equations: Vec<usize> =
+            (0..pattern.n()).filter(|&i| kind(i) == BoundKind::Free).collect();
+        let found = maximum_matching(equations.len(), pattern.n(), |e| &reads[equations[e]]);
+        let unmatched = equations.iter().zip(found).filter(|(_, variable)| variable.is_none());
+        let names: Vec<String> = unmatched.map(|(&i, _)| shape.equation_name(i)).collect();
+        self.of_names("equations that determine no variable of their own", &names);
+    }
+
+    /// A warning with the first names.
+    fn of_names(&mut self, what: &str, names: &[String]) {
+        if !names.is_empty() {
+            let first = names[..names.len().min(NAMES)].join(", ");
+            let more = if names.len() > NAMES { ", …" } else { "" };
+            self.warnings.push(format!("{what} ({}): {first}{more}", names.len()));
         }
     }
 
@@ -199,5 +226,42 @@ mod tests {
         let mut out = Vec::new();
         Findings::default().write(&mut out).unwrap();
         assert_eq!(String::from_utf8(out).unwrap(), "\nno faults, no warnings\n");
+    }
+
+    #[test]
+    fn equations_of_one_variable_are_one_too_many() {
+        // x = 1, x = 2, x + y + z = 3, all free.
+        let nl = b"g3 1 1 0
+ 3 3 0 0 3
+ 0 0
+ 0 0
+ 0 0 0
+ 0 0 0 1
+ 0 0 0 0 0
+ 5 0
+ 0 0
+ 0 0 0 0 0
+r
+4 1
+4 2
+4 3
+b
+3
+3
+3
+J0 1
+0 1
+J1 1
+0 1
+J2 3
+0 1
+1 1
+2 1
+";
+        let model = mcp_cli::nl::NlModel::parse(nl, mcp_cli::nl::Names::default()).unwrap();
+        let mut findings = Findings::default();
+        findings.of_matching(&AdProblem::new(&model).unwrap());
+        let expected = "equations that determine no variable of their own (1): _scon[2]";
+        assert_eq!(findings.warnings, [expected]);
     }
 }

@@ -1,6 +1,7 @@
 //! Reading models and writing files: every error says which file it is about.
 
 use crate::error::{CliError, WriteError};
+use crate::output::warn;
 use mcp_cli::nl::{NlError, NlModel, stub_and_file, with_suffix};
 use std::collections::HashMap;
 use std::fs::{self, File, OpenOptions};
@@ -11,6 +12,13 @@ use std::path::{Path, PathBuf};
 pub(crate) fn model(path: &Path) -> Result<NlModel, CliError> {
     let failed = |reason| CliError::Model { path: stub_and_file(path).1, reason: Box::new(reason) };
     NlModel::read(path).map_err(failed)
+}
+
+/// Reads a model and tells on standard error what was put right in it.
+pub(crate) fn model_with_warnings(path: &Path) -> Result<NlModel, CliError> {
+    let model = model(path)?;
+    model.warnings().iter().for_each(warn);
+    Ok(model)
 }
 
 /// What is wrong with a model, in a line that begins with its path.

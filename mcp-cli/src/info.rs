@@ -9,7 +9,7 @@ use std::io::Write;
 
 /// Carries out `mcp info`.
 pub(crate) fn run(args: &Info, out: &mut impl Write) -> Result<Outcome, CliError> {
-    let model = files::model(&args.model)?;
+    let model = files::model_with_warnings(&args.model)?;
     let problem = AdProblem::new(&model).map_err(CliError::problem(&args.model))?;
     let (shape, pattern) = (Problem::shape(&problem), problem.pattern());
     let n = shape.n();

@@ -23,7 +23,7 @@ use std::time::Instant;
 /// Carries out `mcp solve`.
 pub(crate) fn run(args: &Solve, out: &mut impl Write) -> Result<Outcome, CliError> {
     files::are_distinct([args.model.as_path()], args.files.outputs())?;
-    let model = files::model(&args.model)?;
+    let model = files::model_with_warnings(&args.model)?;
     let how = (&args.settings, &args.files, args.log);
     let answer = solve(&model, &args.model, how, out)?;
     answer.write_files(&model, &args.settings, &args.files)?;
@@ -120,7 +120,8 @@ pub(crate) fn solve(
         writeln!(table.finish()?)?;
     }
     let report = Report::new(&mut problem, solution).map_err(CliError::problem(path))?.named(&name);
-    let infeasible = if solution.is_solved() { None } else { infeasible(&problem) };
+    let margin = settings.tol.0.unwrap_or(0.0);
+    let infeasible = if solution.is_solved() { None } else { infeasible(&problem, margin) };
     let answer = Answer { name, report, infeasible, seconds, history };
     if log != Log::None {
         Style::of_stdout().report(&answer.report.to_string(), solution.is_solved(), out)?;

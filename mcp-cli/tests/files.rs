@@ -8,8 +8,8 @@ use mcp_core::{AdProblem, Model, Options, Problem, solve};
 use std::fs;
 use std::path::Path;
 use support::library::directory;
-use support::node::{n, op, plus, v};
-use support::{File, Form, INF, Kind, Row};
+use support::node::{many, n, op, plus, v};
+use support::{File, Form, INF, Kind, Node, Row};
 
 const FREE: (f64, f64, f64) = (-INF, INF, 0.0);
 
@@ -34,6 +34,16 @@ fn a_stub_may_contain_dots() {
     fs::copy(directory().join("free.nl"), stub.with_file_name("a.stub.1.nl")).unwrap();
     fs::write(stub.with_file_name("a.stub.1.col"), "x\ny\n").unwrap();
     assert_eq!(NlModel::read(&stub).unwrap().shape().variable_name(1), "y");
+}
+
+#[test]
+fn names_may_be_latin_1_and_end_with_blank_lines() {
+    let stub = Path::new(env!("CARGO_TARGET_TMPDIR")).join("latin_1");
+    fs::copy(directory().join("free.nl"), stub.with_extension("nl")).unwrap();
+    fs::write(stub.with_extension("col"), b"\xe4\n\xf6\n\n").unwrap();
+    let model = NlModel::read(&stub).unwrap();
+    assert_eq!([0, 1].map(|j| model.shape().variable_name(j)), ["ä", "ö"]);
+    assert!(model.warnings().is_empty());
 }
 
 #[test]
@@ -189,4 +199,28 @@ fn defined_variables_that_would_fill_the_jacobian_are_variables_behind_those_of_
     }
     let sol = large.sol(&sparse.z, &sparse.f, "solved", 0);
     assert!(sol.contains("\n5000\n5000\n5000\n5000\n") && sol.lines().count() == 10_012);
+}
+
+#[test]
+fn a_long_sum_becomes_pieces_and_keeps_its_value_and_solution() {
+    // Σ z_j² = n, z_j = z_0: all 1.
+    let size: usize = 6000;
+    let squares: [Node; 6000] = std::array::from_fn(|j| op(77, [v(j)]));
+    let mut rows = vec![Row(Kind::Equal(6000.0), Vec::new(), many(54, squares))];
+    let equal = |j| Row(Kind::Equal(0.0), vec![(0, -1.0), (j, 1.0)], n(0.0));
+    rows.extend((1..size).map(equal));
+    let file = File { variables: vec![(-INF, INF, 2.0); size], rows, ..File::default() };
+    let model = parse(&file);
+    let pieces = model.shape().n() - size;
+    assert!((20..60).contains(&pieces), "{pieces}");
+
+    let mut problem = AdProblem::new(&model).unwrap();
+    let (start, mut f) = (model.shape().start().to_vec(), vec![0.0; size + pieces]);
+    problem.evaluate(&start, Some(&mut f), None);
+    assert_eq!(model.row_values(&start, &f)[0], 4.0 * 6000.0 - 6000.0);
+    // No row reads many variables but the first, which reads the pieces only.
+    assert!(problem.pattern().nnz() < 5 * size);
+    let solution = solve(&model, &Options::default()).unwrap().solved().unwrap();
+    let levels = model.file_levels(&solution.z);
+    assert!(levels.iter().all(|z| (z - 1.0).abs() < 1e-9));
 }

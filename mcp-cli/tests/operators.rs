@@ -202,9 +202,35 @@ fn constants_of_all_kinds_are_numbers_and_are_combined_when_read() {
     check("constants", &sum, &[[0.25]], |[x]| 69_701.5 + x);
     let power = op(5, [v(0), op(0, [n(1.0), n(1.0)])]);
     check("exponent 1 + 1", &power, &[[-3.0]], |[x]| x * x);
-    let file = model_of(&op(0, [op(2, [n(2.0), n(3.0)]), v(0)]), 1);
-    let model = NlModel::parse(&file.write(FORMS[0]), Names::default()).unwrap();
-    assert_eq!(model.operations().total(), 1);
+    let operations = |constant: Node| {
+        let file = model_of(&op(0, [constant, v(0)]), 1);
+        let model = NlModel::parse(&file.write(FORMS[0]), Names::default()).unwrap();
+        AdProblem::new(model).unwrap().operations()
+    };
+    assert_eq!(operations(op(2, [n(2.0), n(3.0)])), operations(n(6.0)));
+}
+
+#[test]
+fn sums_of_constants_that_cancel_to_rounding_errors_are_0() {
+    let difference = |numbers: [f64; 3]| {
+        let [a, b, c] = numbers.map(n);
+        let file = model_of(&op(1, [op(1, [a, b]), c]), 1);
+        first_row(&NlModel::parse(&file.write(FORMS[0]), Names::default()).unwrap(), &[1.0])
+    };
+    assert_eq!(difference([0.3, 0.1, 0.2]), 0.0);
+    assert_eq!(difference([0.3, 0.1, 0.2 + 1e-15]), 0.3 - 0.1 - (0.2 + 1e-15));
+}
+
+#[test]
+fn the_second_operand_counts_only_where_the_first_does_not_decide() {
+    // v0 > 0 and log(v0) < 3; v0 <= 0 or log(v0) < 3.
+    let small = || op(22, [op(43, [v(0)]), n(3.0)]);
+    let points = [[-3.0], [2.0], [30.0]];
+    let is = |truth: bool| f64::from(truth);
+    let and = op(21, [op(29, [v(0), n(0.0)]), small()]);
+    check("and", &and, &points, |[x]| is(x > 0.0 && x.ln() < 3.0));
+    let or = op(20, [op(23, [v(0), n(0.0)]), small()]);
+    check("or", &or, &points, |[x]| is(x <= 0.0 || x.ln() < 3.0));
 }
 
 #[test]

@@ -172,13 +172,29 @@ fn names_are_used_as_they_are() {
     let generic = parse(&file, Names::default()).unwrap();
     assert_eq!(generic.shape().variable_name(1), "_svar[2]");
     assert_eq!(generic.shape().equation_name(1), "_scon[2]");
+}
 
-    let few = parse(&file, names(&["x"], &["f", "g"])).unwrap_err();
-    assert_eq!(few.to_string(), ".col has 1 names, expected 2");
-    let few = parse(&file, names(&["x", "y"], &["f"])).unwrap_err();
-    assert_eq!(few.to_string(), ".row has 1 names, expected 2");
-    let twice = parse(&file, names(&["x", "x"], &["f", "g"])).unwrap_err();
-    assert_eq!(twice.to_string(), "set `columns` has the label `x` twice");
+#[test]
+fn names_that_do_not_fit_give_way_to_generic_ones_with_a_warning() {
+    let rows = [linear(Kind::Equal(1.0), &[(0, 1.0)]), linear(Kind::Equal(2.0), &[(1, 1.0)])];
+    let file = file(&[FREE, FREE], &rows);
+    let columns = |reason: &str| {
+        format!("the names in .col are not used, {reason}: columns are called _svar[1], …")
+    };
+    for (names, warning) in [
+        (names(&["x"], &["f", "g"]), columns("1 for 2 columns")),
+        (names(&["x", "y", "z"], &["f", "g"]), columns("3 for 2 columns")),
+        (names(&["x", "x"], &["f", "g"]), columns("`x` stands there twice")),
+    ] {
+        let model = parse(&file, names).unwrap();
+        assert_eq!(model.warnings(), [warning]);
+        assert_eq!(model.shape().variable_name(1), "_svar[2]");
+        assert_eq!(model.shape().equation_name(1), "g");
+    }
+    let few_rows = parse(&file, names(&["x", "y"], &["f"])).unwrap();
+    assert_eq!(few_rows.warnings().len(), 1);
+    assert_eq!(few_rows.shape().equation_name(0), "_scon[1]");
+    assert!(parse(&file, names(&["x", "y"], &["f", "g"])).unwrap().warnings().is_empty());
 }
 
 /// A text file with these counts of binary and integer variables, and these segments in front.

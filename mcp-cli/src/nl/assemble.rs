@@ -2,12 +2,13 @@
 
 use super::NlModel;
 use super::complement::{NameOf, System};
+use super::cut;
 use super::defined;
 use super::error::NlError;
 use super::names::Names;
 use super::segments::{Parts, RowKind, Sum};
 use super::substitute::{self, Substitution};
-use super::tape::{Expression, Tape};
+use super::tape::{Expression, Tape, sum_of_constants};
 use mcp_core::{Definition, Equation, Set, Shape, Variable};
 use std::ops::Range;
 
@@ -28,7 +29,8 @@ impl Body {
     fn new(Sum { expression, linear }: Sum, rhs: f64, tape: &Tape) -> Self {
         match tape.constant(&expression) {
             Some(value) => {
-                Body { factor: 1.0, expression: Expression::default(), linear, rhs: rhs - value }
+                let rhs = sum_of_constants(rhs, -value);
+                Body { factor: 1.0, expression: Expression::default(), linear, rhs }
             }
             None => Body { factor: 1.0, expression, linear, rhs },
         }
@@ -65,8 +67,10 @@ impl NlModel {
             &row_of_equation,
             names,
         )?);
+        let is_cut = cut::long_sums(&mut parts, &mut rows);
         let defined = Set::count("defined variables", parts.definitions.len());
-        if defined::stay_sparse(&parts, rows.iter().map(|row| (&row.expression, &row.linear))) {
+        let bodies = || rows.iter().map(|row| (&row.expression, &row.linear));
+        if !is_cut && defined::stay_sparse(&parts, bodies()) {
             shape = shape.definition(Definition::new(DEFINED).over(&[&defined]));
         } else {
             parts.tape.make_variables_of_definitions(parts.bounds.len());
@@ -85,6 +89,7 @@ impl NlModel {
             variable_of_row,
             options: parts.header.options,
             tolerance: parts.header.tolerance,
+            warnings: Vec::new(),
             tape,
         };
         model.start_auxiliaries(&substitutions, &parts.start)?;
@@ -129,7 +134,7 @@ fn put_equation(substitution: &Substitution, rows: &[Body], linear: &mut Vec<(u3
         }
     }
     // −c is the row's own right-hand side.
-    let rhs = rows[substitution.row].rhs + scale * rhs;
+    let rhs = sum_of_constants(rows[substitution.row].rhs, scale * rhs);
     Body { factor: scale * factor, expression, linear: start..linear.len(), rhs }
 }
 

@@ -173,17 +173,7 @@ pub enum NlError {
         /// The upper bound.
         upper: f64,
     },
-    /// A list of names does not fit the file.
-    #[error("{file} has {found} names, expected {expected}")]
-    NameCount {
-        /// `.col` or `.row`.
-        file: &'static str,
-        /// Columns or rows of the file.
-        expected: usize,
-        /// Names given.
-        found: usize,
-    },
-    /// Bounds, starts or names that no model may have.
+    /// Bounds or starts that no model may have.
     #[error(transparent)]
     Model(#[from] ModelError),
 }

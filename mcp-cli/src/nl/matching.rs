@@ -10,7 +10,17 @@ const NONE: u32 = u32::MAX;
 /// nothing left for an equation. Equations prefer variables in the order they list them.
 ///
 /// `columns(e)` lists the variables of equation `e`, each below `variables`.
-pub(super) fn maximum<'a>(
+///
+/// ```
+/// // x_0 = …, x_0 = …, f(x_0, x_1, x_2) = 0: one of the first two has no variable of its own.
+/// let rows: [&[u32]; 3] = [&[0], &[0], &[0, 1, 2]];
+/// let found = mcp_cli::nl::maximum_matching(3, 3, |e| rows[e]);
+/// assert_eq!(found, [Some(0), None, Some(1)]);
+/// ```
+///
+/// # Panics
+/// If a listed variable is not below `variables`, or with 2³² equations.
+pub fn maximum<'a>(
     equations: usize,
     variables: usize,
     columns: impl Fn(usize) -> &'a [u32],

@@ -39,8 +39,11 @@
 //! variables that are left, inequalities without a variable are an error that names the row, and so
 //! are integers, objectives and imported functions. Where a row says which bounds of its variable
 //! are finite, the bounds must agree. Defined variables (segments `V`) become definitions, each
-//! evaluated once, or auxiliary variables where definitions would fill the Jacobian. Pyomo's auxiliary variable for the body of a row is replaced, in that row, by what
-//! its equation says it is.
+//! evaluated once, or auxiliary variables where definitions would fill the Jacobian. A row is cut into
+//! pieces, auxiliary variables too, where it is a sum so long that its gradient would take more than
+//! about 10⁸ operations; products and defined variables of that length are not cut, and slow.
+//! Pyomo's auxiliary variable for the body of a row is replaced, in that row, by what its equation
+//! says it is.
 //!
 //! Kinks: `abs`, `min`, `max`, `less` and piecewise-linear terms are declared kinks of
 //! [`mcp_core::scalar`]. Conditions that depend on variables choose by value: `if` has the
@@ -53,6 +56,7 @@
 
 mod assemble;
 mod complement;
+mod cut;
 mod defined;
 mod error;
 mod expression;
@@ -67,10 +71,11 @@ mod substitute;
 mod tape;
 
 pub use error::{NlError, Place, Segment};
+pub use matching::maximum as maximum_matching;
 pub use names::{Names, stub_and_file, with_suffix};
 
 use assemble::Body;
-use mcp_core::{Model, OperationCounts, Reader, Real, Scalar, Shape, sum};
+use mcp_core::{Model, Reader, Real, Scalar, Shape, sum};
 use segments::Parts;
 use std::fs;
 use std::path::Path;
@@ -79,8 +84,9 @@ use tape::Tape;
 /// A mixed complementarity problem from an `.nl` file; see the [module page](self).
 ///
 /// Variables have the order of the file, equations that of its rows; a row that bounds nothing is no
-/// equation. Defined variables are definitions, or, where many variables stand behind many of them,
-/// auxiliary variables that come last, each with an equation.
+/// equation. Defined variables are definitions, or, where many variables stand behind many of them or a
+/// sum of a row is very long, auxiliary variables that come last, each with an equation, and so are
+/// pieces of that sum.
 #[derive(Clone, Debug)]
 pub struct NlModel {
     shape: Shape,
@@ -99,6 +105,7 @@ pub struct NlModel {
     /// Options of the header, for the `.sol` file.
     options: Vec<i64>,
     tolerance: Option<f64>,
+    warnings: Vec<String>,
 }
 
 impl NlModel {
@@ -120,8 +127,13 @@ impl NlModel {
     pub fn parse(bytes: &[u8], names: Names) -> Result<Self, NlError> {
         let mut names = names;
         let parts = Parts::read(bytes)?;
-        names.check(parts.header.variables, parts.header.rows)?;
-        Self::assemble(parts, &names)
+        let warnings = names.drop_misfits(parts.header.variables, parts.header.rows);
+        Ok(NlModel { warnings, ..Self::assemble(parts, &names)? })
+    }
+
+    /// What was left out of the model although it was given: names that do not fit the file.
+    pub fn warnings(&self) -> &[String] {
+        &self.warnings
     }
 
     /// Number of variables of the file: the first of the model's `z`, in the same order.
@@ -176,21 +188,6 @@ impl NlModel {
             None => self.value_at(body, z, &definitions),
         };
         rows.map(value).collect()
-    }
-
-    /// Operations of one evaluation of `F`: all equations and defined variables, each once; those
-    /// among constants are done when a file is read.
-    pub fn operations(&self) -> OperationCounts {
-        let mut counts = OperationCounts::default();
-        let equations = self.row_of_equation.iter().map(|&row| &self.rows[row]);
-        for body in self.definitions.iter().chain(equations) {
-            self.tape.count(&body.expression, &mut counts);
-            for &(_, coefficient) in self.terms(body) {
-                counts.additions += 1;
-                counts.multiplications += u64::from(coefficient.abs() != 1.0);
-            }
-        }
-        counts
     }
 
     /// Options of the header and the tolerance behind them.

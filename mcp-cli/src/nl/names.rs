@@ -7,8 +7,9 @@ use std::fs;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
-/// Names from `.col` and `.row` files, used as they are; without them, variables are called
-/// `_svar[1]`, … and rows `_scon[1]`, …, as AMPL does.
+/// Names from `.col` and `.row` files, used as they are, in UTF-8 or Latin-1; without them, variables
+/// are called `_svar[1]`, … and rows `_scon[1]`, …, as AMPL does. Names that do not fit the file or stand
+/// twice are not used either, see [`NlModel::warnings`](super::NlModel::warnings).
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Names {
     /// One for each variable of the file.
@@ -24,22 +25,32 @@ impl Names {
         Ok(Names { columns, rows: lines(&with_suffix(stub, ".row"))? })
     }
 
-    /// Checks their numbers and drops those of objectives.
-    pub(super) fn check(&mut self, columns: usize, rows: usize) -> Result<(), NlError> {
-        if let Some(names) = &self.columns
-            && names.len() != columns
-        {
-            let (file, expected, found) = (".col", columns, names.len());
-            return Err(NlError::NameCount { file, expected, found });
-        }
+    /// Drops names that do not fit the file, so that generic ones take their place, and those of
+    /// objectives; says what was dropped and why. Names are decoration: a solve can do without.
+    pub(super) fn drop_misfits(&mut self, columns: usize, rows: usize) -> Vec<String> {
         if let Some(names) = &mut self.rows {
-            if names.len() < rows {
-                let (file, expected, found) = (".row", rows, names.len());
-                return Err(NlError::NameCount { file, expected, found });
-            }
-            names.truncate(rows);
+            names.truncate(names.len().min(rows));
         }
-        Ok(())
+        let kinds = [
+            (&mut self.columns, columns, "columns", ".col", "_svar"),
+            (&mut self.rows, rows, "rows", ".row", "_scon"),
+        ];
+        let mut warnings = Vec::new();
+        for (names, expected, what, file, generic) in kinds {
+            let Some(given) = names else { continue };
+            let reason = if given.len() == expected {
+                repeated(given).map(|name| format!("`{name}` stands there twice"))
+            } else {
+                Some(format!("{} for {expected} {what}", given.len()))
+            };
+            if let Some(reason) = reason {
+                warnings.push(format!(
+                    "the names in {file} are not used, {reason}: {what} are called {generic}[1], …"
+                ));
+                *names = None;
+            }
+        }
+        warnings
     }
 
     /// Labels of the variables, if they have names.
@@ -62,6 +73,13 @@ impl NameOf for Names {
     fn variable(&self, j: usize) -> String {
         name(self.columns.as_deref(), "_svar", j)
     }
+}
+
+/// A name that stands twice.
+fn repeated(names: &[String]) -> Option<&str> {
+    let mut sorted: Vec<&str> = names.iter().map(String::as_str).collect();
+    sorted.sort_unstable();
+    sorted.windows(2).find(|pair| pair[0] == pair[1]).map(|pair| pair[0])
 }
 
 fn name(names: Option<&[String]>, generic: &str, index: usize) -> String {
@@ -98,14 +116,23 @@ pub fn with_suffix(stub: &Path, suffix: &str) -> PathBuf {
     path.into()
 }
 
-/// The lines of a file; `None` if there is no such file.
+/// The lines of a file without blank ones at its end; `None` if there is no such file.
 fn lines(path: &Path) -> Result<Option<Vec<String>>, NlError> {
     match fs::read(path) {
         Ok(bytes) => {
-            let text = String::from_utf8_lossy(&bytes);
-            Ok(Some(text.lines().map(|line| line.trim().to_owned()).collect()))
+            let text = String::from_utf8(bytes).unwrap_or_else(|e| from_latin_1(e.as_bytes()));
+            let mut lines: Vec<String> = text.lines().map(|line| line.trim().to_owned()).collect();
+            while lines.last().is_some_and(String::is_empty) {
+                lines.pop();
+            }
+            Ok(Some(lines))
         }
         Err(source) if source.kind() == ErrorKind::NotFound => Ok(None),
         Err(source) => Err(NlError::Io { path: path.to_owned(), source }),
     }
+}
+
+/// The text of a file that is not UTF-8: each byte a character, so that names that differ stay so.
+fn from_latin_1(bytes: &[u8]) -> String {
+    bytes.iter().map(|&byte| char::from(byte)).collect()
 }

@@ -235,8 +235,11 @@ impl Binary {
             }),
             Binary::Pow => x.pow(y),
             Binary::Less => (x - y).max(0.0),
-            Binary::And | Binary::Min => x.min(y),
-            Binary::Or | Binary::Max => x.max(y),
+            // Of 0 and 1; the second operand may be undefined where the first decides.
+            Binary::And => select(x, y, 0.0),
+            Binary::Or => select(x, 1.0, y),
+            Binary::Min => x.min(y),
+            Binary::Max => x.max(y),
             Binary::Lt => is_positive(y - x),
             Binary::Le => 1.0 - is_positive(x - y),
             Binary::Eq => 1.0 - is_positive((x - y).abs()),

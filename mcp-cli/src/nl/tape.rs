@@ -4,7 +4,7 @@
 //! along the list with a stack of numbers, so that no nesting is too deep for it.
 
 use super::operator::{Binary, Unary};
-use mcp_core::{OperationCounts, Reader, Real, Scalar, select, sum};
+use mcp_core::{Reader, Real, Scalar, select, sum};
 use std::ops::Range;
 
 /// Numbers on the stack of an evaluation that needs no allocation.
@@ -47,26 +47,6 @@ impl Op {
             Op::Unary(unary) => unary.is_logical(),
             Op::Binary(binary) => binary.is_logical(),
             _ => false,
-        }
-    }
-
-    fn count(self, counts: &mut OperationCounts) {
-        use Binary::{Add, Div, IntDiv, Less, Max, Min, Mul, Rem, Sub};
-        match self {
-            Op::Constant(_) | Op::Variable(_) | Op::Definition(_) => {}
-            Op::Unary(Unary::Neg) | Op::Binary(Add | Sub) => counts.additions += 1,
-            Op::Binary(Mul) => counts.multiplications += 1,
-            Op::Binary(Div | Rem | IntDiv) => counts.divisions += 1,
-            Op::IntegerPower(n) => {
-                counts.multiplications += u64::from(n.unsigned_abs().checked_ilog2().unwrap_or(0));
-            }
-            Op::Unary(Unary::Abs | Unary::Not | Unary::Truth)
-            | Op::Binary(Less | Min | Max)
-            | Op::If
-            | Op::NumberOf(_)
-            | Op::Piecewise(_) => counts.selections += 1,
-            Op::Binary(binary) if binary.is_logical() => counts.selections += 1,
-            Op::Unary(_) | Op::RealPower(_) | Op::Binary(_) => counts.functions += 1,
         }
     }
 }
@@ -130,7 +110,8 @@ impl Tape {
         &self.ops[expression.ops.clone()]
     }
 
-    /// Appends an operation. Operations among constants are done at once, unless they fail.
+    /// Appends an operation. Operations among constants are done at once, unless they fail; sums by
+    /// [`sum_of_constants`].
     pub(super) fn push(&mut self, op: Op) {
         let mut op = op;
         if let (Op::Binary(Binary::Pow), Some(Op::Constant(p))) = (op, self.last()) {
@@ -141,7 +122,15 @@ impl Tape {
         let is_constant = |op: &Op| matches!(op, Op::Constant(_));
         if first < self.ops.len() && self.ops[first..].iter().all(is_constant) {
             self.ops.push(op);
-            let value = self.value_of_constants(first);
+            let value = match self.ops[first..] {
+                [Op::Constant(a), Op::Constant(b), Op::Binary(Binary::Add)] => {
+                    sum_of_constants(a, b)
+                }
+                [Op::Constant(a), Op::Constant(b), Op::Binary(Binary::Sub)] => {
+                    sum_of_constants(a, -b)
+                }
+                _ => self.value_of_constants(first),
+            };
             if value.is_finite() {
                 self.ops.truncate(first);
                 self.ops.push(Op::Constant(value));
@@ -165,6 +154,13 @@ impl Tape {
         let number = u32::try_from(self.piecewise.len()).expect("fewer than the bytes of a file");
         self.piecewise.push(PiecewiseLinear { first_slope, offset, kinks });
         self.push(Op::Piecewise(number));
+    }
+
+    /// Appends operations as they are, an expression.
+    pub(super) fn append(&mut self, ops: &[Op]) -> Expression {
+        let start = self.ops.len();
+        self.ops.extend_from_slice(ops);
+        self.expression_from(start)
     }
 
     /// The expression that has been appended since `start`.
@@ -252,11 +248,6 @@ impl Tape {
         let rises = sum(&self.kinks[kinks.clone()], |(b, change)| *change * (x - *b).max(0.0));
         *first_slope * x + rises - *offset
     }
-
-    /// Adds the operations of an expression to `counts`.
-    pub(super) fn count(&self, expression: &Expression, counts: &mut OperationCounts) {
-        self.ops(expression).iter().for_each(|op| op.count(counts));
-    }
 }
 
 /// `xᵖ` with a constant `p`.
@@ -264,4 +255,11 @@ fn power(p: f64) -> Op {
     #[allow(clippy::cast_possible_truncation, reason = "compared with the original")]
     let n = p as i32;
     if f64::from(n) == p { Op::IntegerPower(n) } else { Op::RealPower(p) }
+}
+
+/// `a + b`, and 0 where no more than rounding errors are left of the two: decimals of a file are rounded,
+/// and `0.3 − 0.1 − 0.2` in a row without variables has to be 0, not −2.8e−17.
+pub(super) fn sum_of_constants(a: f64, b: f64) -> f64 {
+    let sum = a + b;
+    if sum.abs() <= 4.0 * f64::EPSILON * a.abs().max(b.abs()) { 0.0 } else { sum }
 }

@@ -36,12 +36,19 @@ impl fmt::Display for Infeasible {
 
 /// Proves that the problem has no solution, if the signs of its equations over the box do so.
 ///
+/// What is proved is more: that no `z` within the bounds has a natural residual
+/// `max_i |mid(z_i − l_i, F_i, z_i − u_i)| <= margin`. Data are rounded decimals, and a difference of
+/// one unit in the last place (`0.3 − 0.1 − 0.2 = −2.8e−17`) is no reason to call a problem unsolvable
+/// that a solver may call solved: `margin` is the tolerance `tol` of the solve, in the units of the
+/// model. For the same reason bounds are widened by 4 units in the last place, which allows for
+/// as much in every term of `F` that has a variable.
+///
 /// By interval arithmetic ([`Interval`] states the assumption; [Moo66](crate#references)), with `X` the
-/// box `l <= z <= u`:
+/// box `l <= z <= u` and `m` the margin:
 ///
 /// ```text
-/// F_i > 0 on X   ⇒   z_i = l_i in every solution:  none if l_i = −inf, otherwise X_i := {l_i}
-/// F_i < 0 on X   ⇒   z_i = u_i in every solution:  none if u_i = +inf, otherwise X_i := {u_i}
+/// F_i >  m on X   ⇒   z_i <= l_i + m:  for no z if l_i = −inf, otherwise X_i := X_i ∩ [l_i, l_i + m]
+/// F_i < −m on X   ⇒   z_i >= u_i − m:  for no z if u_i = +inf, otherwise X_i := X_i ∩ [u_i − m, u_i]
 /// ```
 ///
 /// repeated on the smaller box until nothing changes, at most 50 times; a pass is one evaluation of
@@ -54,42 +61,52 @@ impl fmt::Display for Infeasible {
 /// fn circle<D: Scalar>([x]: [Real<D>; 1]) -> [Real<D>; 1] {
 ///     [1.0 + x.powi(2)]
 /// }
-/// let proof = infeasible(&AdProblem::new(Circle::new()?)?).expect("1 + x² is positive");
+/// let problem = AdProblem::new(Circle::new()?)?;
+/// let proof = infeasible(&problem, 1e-6).expect("1 + x² is positive");
 /// assert_eq!(
 ///     proof.to_string(),
 ///     "proved: `f[x]` is positive wherever its variables may be, but `x` has no lower bound to be at"
 /// );
+/// assert_eq!(infeasible(&problem, 1.0), None); // x = 0 is good enough then
 /// # Ok::<(), mcp_core::ModelError>(())
 /// ```
-pub fn infeasible<M: Model>(problem: &AdProblem<M>) -> Option<Infeasible> {
+pub fn infeasible<M: Model>(problem: &AdProblem<M>, margin: f64) -> Option<Infeasible> {
     let shape = problem.shape();
     let (lower, upper) = (shape.bounds().lower(), shape.bounds().upper());
     let mut x: Vec<Interval> =
         lower.iter().zip(upper).map(|(&l, &u)| Interval::new(l, u)).collect();
     for _ in 0..PASSES {
-        let at: Vec<Real<Interval>> = x.iter().map(|&x| Real(x)).collect();
+        let at: Vec<Real<Interval>> = x.iter().map(|&x| Real(widened(x))).collect();
         let mut changed = false;
         for (row, range) in problem.rows_at(&at).into_iter().map(|f| f.0).enumerate() {
             let i = shape.variable_of_row(row);
-            let bound = match () {
+            let (l, u) = (lower[i], upper[i]);
+            let (bound, near) = match () {
                 // The equation of a fixed variable may have any value.
-                () if lower[i] == upper[i] => continue,
-                () if range.lower() > 0.0 => lower[i],
-                () if range.upper() < 0.0 => upper[i],
+                () if l == u => continue,
+                () if range.lower() > margin => (l, (l, x[i].upper().min(l + margin))),
+                () if range.upper() < -margin => (u, (x[i].lower().max(u - margin), u)),
                 () => continue,
             };
+            let near = Interval::new(near.0, near.1);
             if bound.is_infinite() {
                 let (equation, variable) = (shape.equation_name(i), shape.variable_name(i));
                 return Some(Infeasible { equation, variable, range });
             }
-            changed |= x[i] != Interval::point(bound);
-            x[i] = Interval::point(bound);
+            changed |= x[i] != near;
+            x[i] = near;
         }
         if !changed {
             break;
         }
     }
     None
+}
+
+/// The interval with 4 units in the last place more at both ends.
+fn widened(x: Interval) -> Interval {
+    let by = |end: f64| 4.0 * f64::EPSILON * end.abs();
+    Interval::new(x.lower() - by(x.lower()), x.upper() + by(x.upper()))
 }
 
 #[cfg(test)]
@@ -120,24 +137,55 @@ mod tests {
     #[test]
     fn a_sign_without_its_bound_has_no_solution() {
         // F_1 < 0, so x must be at an upper bound.
-        let proof = infeasible(&signs([0.0, -INF], [INF, 5.0])).unwrap();
+        let proof = infeasible(&signs([0.0, -INF], [INF, 5.0]), 0.0).unwrap();
         assert_eq!((proof.equation.as_str(), proof.range.upper() < 0.0), ("F[1]", true));
     }
 
     #[test]
     fn a_sign_with_its_bound_is_no_proof() {
-        assert_eq!(infeasible(&signs([0.0, -INF], [1.0, INF])), None);
+        assert_eq!(infeasible(&signs([0.0, -INF], [1.0, INF]), 0.0), None);
     }
 
     #[test]
     fn the_bounds_that_signs_imply_are_used() {
         // x = 1 follows; then −y − e < 0 for y >= 0, which has no upper bound.
-        let proof = infeasible(&signs([0.0, 0.0], [1.0, INF])).unwrap();
+        let proof = infeasible(&signs([0.0, 0.0], [1.0, INF]), 0.1).unwrap();
         assert_eq!(proof.variable, "z[2]");
     }
 
     #[test]
     fn equations_of_fixed_variables_prove_nothing() {
-        assert_eq!(infeasible(&signs([2.0, -INF], [2.0, INF])), None);
+        assert_eq!(infeasible(&signs([2.0, -INF], [2.0, INF]), 0.0), None);
+    }
+
+    #[test]
+    fn a_sign_within_the_margin_is_no_proof() {
+        // F_1 <= −1.
+        let problem = signs([0.0, -INF], [INF, 5.0]);
+        assert_eq!(infeasible(&problem, 1.0), None);
+        assert!(infeasible(&problem, 0.99).is_some());
+    }
+
+    /// `c − x − d` and `y`.
+    struct Difference(Shape, [f64; 2]);
+
+    impl Model for Difference {
+        fn shape(&self) -> &Shape {
+            &self.0
+        }
+        fn row<D: Scalar>(&self, _: usize, i: usize, read: &Reader<'_, D>) -> Real<D> {
+            if i == 0 { self.1[0] - read.var(1) - self.1[1] } else { read.var(1) - 1.0 }
+        }
+    }
+
+    #[test]
+    fn units_in_the_last_place_of_terms_are_no_proof() {
+        let difference = |c: f64| {
+            let shape = Shape::anonymous(&[0.0, 0.1], &[INF, 0.1], &[0.0, 0.1]).unwrap();
+            AdProblem::new(Difference(shape, [c, 0.2])).unwrap()
+        };
+        // 0.3 − 0.1 − 0.2 = −2.8e−17 in plain numbers; 0.29 − 0.1 − 0.2 = −0.01.
+        assert_eq!(infeasible(&difference(0.3), 0.0), None);
+        assert!(infeasible(&difference(0.29), 0.0).is_some());
     }
 }
