@@ -1,6 +1,7 @@
 //! What a run leaves behind: table, CSV, picture.
 
 use mcp_core::dynamics::{StepReport, TimeStepper};
+use mcp_core::study::COLORS;
 use plotters::prelude::*;
 use std::error::Error;
 use std::fmt::{self, Write};
@@ -12,17 +13,6 @@ pub(crate) const HEADER: &str =
 
 /// Most points of a line in a picture.
 const MOST_POINTS: usize = 2000;
-
-/// Colors that also the color-blind can tell apart: Okabe and Ito.
-const COLORS: [RGBColor; 7] = [
-    RGBColor(0, 114, 178),
-    RGBColor(213, 94, 0),
-    RGBColor(0, 158, 115),
-    RGBColor(204, 121, 167),
-    RGBColor(230, 159, 0),
-    RGBColor(86, 180, 233),
-    RGBColor(0, 0, 0),
-];
 
 /// A step and the state after it.
 pub(crate) struct Row {

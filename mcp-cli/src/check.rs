@@ -170,24 +170,21 @@ impl Findings {
     }
 
     fn of_scales(&mut self, statement: &Statement) {
-        if let (Some(small), Some(large)) = (&statement.smallest_row, &statement.largest_row)
-            && large.norm > SCALE * small.norm
-        {
-            self.warnings.push(format!(
-                "rows of J differ in size by {:.0e}: `{}` and `{}`; other units may help",
-                large.norm / small.norm,
-                large.equation,
-                small.equation,
-            ));
+        if let (Some(small), Some(large)) = (&statement.smallest_row, &statement.largest_row) {
+            let names = [large.equation.as_str(), &small.equation];
+            self.of_sizes("rows", large.norm / small.norm, names);
         }
         if let (Some(small), Some(large)) = (&statement.smallest_column, &statement.largest_column)
-            && large.norm > SCALE * small.norm
         {
+            let names = [large.variable.as_str(), &small.variable];
+            self.of_sizes("columns", large.norm / small.norm, names);
+        }
+    }
+
+    fn of_sizes(&mut self, what: &str, ratio: f64, [large, small]: [&str; 2]) {
+        if ratio > SCALE {
             self.warnings.push(format!(
-                "columns of J differ in size by {:.0e}: `{}` and `{}`; other units may help",
-                large.norm / small.norm,
-                large.variable,
-                small.variable,
+                "{what} of J differ in size by {ratio:.0e}: `{large}` and `{small}`; other units may help"
             ));
         }
     }

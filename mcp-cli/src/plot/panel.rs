@@ -3,16 +3,16 @@
 use super::Drawing;
 use crate::history::Moment;
 use mcp_core::Stage;
+use mcp_core::study::COLORS;
 use plotters::coord::Shift;
 use plotters::coord::types::RangedCoordf64;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use std::ops::Range;
 
-/// Colours that also the colour-blind can tell apart: Okabe and Ito.
-const BLUE: RGBColor = RGBColor(0, 114, 178);
-const VERMILION: RGBColor = RGBColor(213, 94, 0);
-const GREEN: RGBColor = RGBColor(0, 158, 115);
+const BLUE: RGBColor = COLORS[0];
+const VERMILION: RGBColor = COLORS[1];
+const GREEN: RGBColor = COLORS[2];
 
 /// Up to so many iterates each has its own mark, and each bar its number.
 const MARKED: usize = 40;

@@ -13,6 +13,6 @@ mod sweep_table;
 
 pub use compare::{Change, Changes, Outcome, compare};
 #[cfg(feature = "plots")]
-pub use plot::PlotError;
+pub use plot::{COLORS, PlotError};
 pub use sweep::{StateChange, Sweep, SweepPoint, sweep, sweep_with};
 pub use sweep_table::{SweepColumn, SweepLine, SweepTable};

@@ -11,8 +11,9 @@ const SIZE: (u32, u32) = (900, 540);
 /// Font and its size in pixels.
 const FONT: (&str, u32) = ("sans-serif", 15);
 
-/// Colors that also the color-blind can tell apart: Okabe and Ito.
-const COLORS: [RGBColor; 7] = [
+/// Colors of lines that also the color-blind can tell apart, after Okabe and Ito: blue, vermilion,
+/// green, purple, orange, sky blue, black. Feature `plots`.
+pub const COLORS: [RGBColor; 7] = [
     RGBColor(0, 114, 178),
     RGBColor(213, 94, 0),
     RGBColor(0, 158, 115),

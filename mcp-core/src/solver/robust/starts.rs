@@ -58,9 +58,7 @@ impl Search<'_, '_> {
             if !self.restart()? {
                 continue;
             }
-            let Search { run, memory } = self;
-            let bounds = run.problem.shape().bounds();
-            memory.view.unscale(&memory.here.z, bounds, &mut memory.stuck);
+            self.keep_stuck();
             self.crash(CRASH)?;
             self.newton_on(Map::FischerBurmeister, STEPS)?;
             self.memory.go_to_stuck();
