@@ -40,6 +40,11 @@ impl StallWatch {
         }
         self.since >= rule.iterations
     }
+
+    /// Whether this many iterations have passed without progress.
+    pub(crate) fn lasts(&self, iterations: usize) -> bool {
+        self.since >= iterations
+    }
 }
 
 #[cfg(test)]

@@ -31,19 +31,23 @@
 //! Cost of a step: one `J`, one factorisation, one `F` for each trial point. Limits are counts
 //! ([`Robust`]), so every run takes the same path.
 
+mod boxes;
 mod crash;
 mod diagnose;
 mod direction;
 mod equilibrate;
 mod josephy;
 mod judge;
+mod leap;
 mod levenberg_marquardt;
 mod map;
 mod measured;
 mod memory;
 mod options;
 mod proximal;
+mod rescaled;
 mod semismooth;
+mod sized;
 mod smoothing;
 mod starts;
 mod tail;
@@ -187,6 +191,22 @@ impl Search<'_, '_> {
         memory.unit.copy_from_slice(memory.view.units());
         self.judge()?;
         self.begin()?;
+        Continue(())
+    }
+
+    /// Keeps the iterate as the point where Newton got stuck.
+    pub(super) fn keep_stuck(&mut self) {
+        let Search { run, memory } = self;
+        let bounds = run.problem.shape().bounds();
+        memory.view.unscale(&memory.here.z, bounds, &mut memory.stuck);
+    }
+
+    /// Goes back to the scales of the start.
+    fn scale_as_at_start(&mut self) -> Flow {
+        self.memory.go_to_start();
+        if self.restart()? {
+            self.measure_scales();
+        }
         Continue(())
     }
 

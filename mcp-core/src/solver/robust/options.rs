@@ -54,7 +54,8 @@ pub struct Robust {
     pub proximal: usize,
     /// Perturbed starts. Default 6.
     pub starts: usize,
-    /// Merits the non-monotone search remembers. Default 8.
+    /// Merits the non-monotone search remembers; after as many steps without progress it is
+    /// monotone. Default 8.
     pub memory: usize,
     /// When a Newton stage gives up. Default: 40 steps without the merit falling by 30 %.
     pub stall: Stall,

@@ -10,6 +10,7 @@
 
 use super::Search;
 use super::map::Map;
+use super::semismooth::MONOTONE;
 use crate::solver::run::Flow;
 use crate::solver::stage::StageEnd;
 use std::ops::ControlFlow::Continue;
@@ -66,7 +67,7 @@ impl Search<'_, '_> {
             if (2.0 * self.memory.here.merit).sqrt() <= SOLVED {
                 return Continue(true);
             }
-            if self.newton_step(k)?.is_break() {
+            if self.newton_step(k < MONOTONE)?.is_break() {
                 return Continue(false);
             }
         }

@@ -7,7 +7,8 @@
 //! 4  no step: Newton's with t down to 2·10⁻⁴, then the projected gradient
 //! ```
 //!
-//! [DFK96](crate#references) with the non-monotone reference of [GLL86](crate#references); step 3 is
+//! [DFK96](crate#references) with the non-monotone reference of [GLL86](crate#references), which alone
+//! can go round in circles: as many steps without progress as it remembers make it monotone. Step 3 is
 //! that of [KP04](crate#references). `Ψ` is continuously differentiable, so every limit point is
 //! stationary over the box.
 
@@ -28,8 +29,8 @@ const SHARE: f64 = 1e-4;
 const SHORT: f64 = 0.05;
 /// They are quartered down to this.
 const SHORTEST: f64 = 2e-4;
-/// Reference values count from this iteration on.
-const MONOTONE: usize = 2;
+/// Steps before the search remembers merits.
+pub(super) const MONOTONE: usize = 2;
 /// Natural residual below which min-map steps are tried, in scaled units.
 const NEAR: f64 = 1e-2;
 /// Damped steps in a row that together must reduce the merit by 30 %: in scales that are wrong they
@@ -79,7 +80,8 @@ impl Search<'_, '_> {
             if k % 2 == 0 && self.min_map_step()? {
                 continue;
             }
-            if let ControlFlow::Break(end) = self.newton_step(k)? {
+            let is_monotone = k < MONOTONE || stall.lasts(self.run.options.robust.memory);
+            if let ControlFlow::Break(end) = self.newton_step(is_monotone)? {
                 return Continue(end);
             }
         }
@@ -113,10 +115,10 @@ impl Search<'_, '_> {
     }
 
     /// Steps 2 to 4; `Break` if none was taken.
-    pub(super) fn newton_step(&mut self, k: usize) -> Flow<ControlFlow<StageEnd>> {
+    pub(super) fn newton_step(&mut self, is_monotone: bool) -> Flow<ControlFlow<StageEnd>> {
         self.memory.linearise(self.run.problem.pattern());
         let reference = match self.memory.here.merit {
-            merit if k < MONOTONE => merit,
+            merit if is_monotone => merit,
             merit => self.memory.reference.value(merit),
         };
         let has_newton = self.newton_direction();
