@@ -17,12 +17,16 @@ mod common;
 mod cycling;
 #[path = "../tests/hard/degenerate.rs"]
 mod degenerate;
+#[path = "../tests/hard/families.rs"]
+mod families;
 #[path = "../tests/hard/kinks.rs"]
 mod kinks;
 #[path = "../tests/hard/overflow.rs"]
 mod overflow;
 #[path = "../tests/hard/powers.rs"]
 mod powers;
+#[path = "../tests/hard/scaling.rs"]
+mod scaling;
 #[path = "../tests/hard/several.rs"]
 mod several;
 #[path = "../tests/hard/singular.rs"]
@@ -48,7 +52,9 @@ fn main() {
     let groups = [
         ("degenerate pairs", degenerate::cases()),
         ("traps of the merit", traps::cases()),
-        ("cycling, slow and ill-conditioned LCPs", cycling::cases()),
+        ("cycling of the plain method", cycling::cases()),
+        ("ill-conditioned families", families::cases()),
+        ("other units", scaling::cases()),
         ("singular Jacobians", singular::cases()),
         ("bounds", bounds::cases()),
         ("powers at zero", powers::cases()),

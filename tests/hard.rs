@@ -14,6 +14,8 @@ mod check;
 mod cycling;
 #[path = "hard/degenerate.rs"]
 mod degenerate;
+#[path = "hard/families.rs"]
+mod families;
 #[path = "hard/fuzz.rs"]
 mod fuzz;
 #[path = "hard/invariances.rs"]
@@ -26,6 +28,8 @@ mod overflow;
 mod phi;
 #[path = "hard/powers.rs"]
 mod powers;
+#[path = "hard/scaling.rs"]
+mod scaling;
 #[path = "hard/several.rs"]
 mod several;
 #[path = "hard/singular.rs"]

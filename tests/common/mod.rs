@@ -149,6 +149,18 @@ pub(crate) fn watch(
     (solution, seen)
 }
 
+/// Dense `F` and `J`, column by column.
+pub(crate) fn evaluate(problem: &mut dyn Problem, z: &[f64]) -> (Vec<f64>, Vec<f64>) {
+    let n = z.len();
+    let (mut f, mut values) = (vec![0.0; n], vec![0.0; problem.pattern().nnz()]);
+    problem.evaluate(z, Some(&mut f), Some(&mut values));
+    let mut jac = vec![0.0; n * n];
+    for (k, i, j) in problem.pattern().entries() {
+        jac[i + n * j] = values[k];
+    }
+    (f, jac)
+}
+
 /// `max |mid(z−l, F, z−u)|`, by sorting: shares no code with the library. NaN stays NaN.
 pub(crate) fn natural_residual(problem: &mut dyn Problem, z: &[f64]) -> f64 {
     let mut f = vec![0.0; z.len()];

@@ -1,21 +1,10 @@
 //! Nonlinear problems in another order, place, sign or company: the same answers. Affine ones are in
-//! `tests/conformance.rs`, units in `tests/invariance.rs`.
+//! `tests/conformance.rs`, binary units in `tests/invariance.rs`, units of
+//! any kind in `scaling`.
 
-use crate::common::{INF, dense, solve, solve_from};
+use crate::common::{INF, dense, evaluate, solve, solve_from};
 use mcp_core::testing::{self, Known};
 use mcp_core::{AdProblem, Engine, Method, Model, Options, Problem, Reader, Real, Scalar, Shape};
-
-/// Dense `F` and `J`, column by column.
-fn evaluate(problem: &mut dyn Problem, z: &[f64]) -> (Vec<f64>, Vec<f64>) {
-    let n = z.len();
-    let (mut f, mut values) = (vec![0.0; n], vec![0.0; problem.pattern().nnz()]);
-    problem.evaluate(z, Some(&mut f), Some(&mut values));
-    let mut jac = vec![0.0; n * n];
-    for (k, i, j) in problem.pattern().entries() {
-        jac[i + n * j] = values[k];
-    }
-    (f, jac)
-}
 
 /// Pair `i` of the result is pair `order[i]`, as `y_i = sign_i z − shift_i`.
 struct Change {
@@ -215,40 +204,4 @@ fn lanes_rows_and_engines_do_not_matter() {
     ring_answers::<13>();
     ring_answers::<16>();
     ring_answers::<17>();
-}
-
-/// Decimal units round every number of the problem; the answer is the same point.
-#[test]
-fn decimal_units_do_not_matter() {
-    let options = Options::new(Method::Robust);
-    for mut known in problems() {
-        let n = known.starts[0].len();
-        for start in known.starts.clone() {
-            for k in [-12, -7, -3, 3, 7, 12] {
-                for (r, c) in [(10_f64.powi(k), 1.0), (1.0, 10_f64.powi(k))] {
-                    // Every other equation, every other variable.
-                    let unit = |i: usize, unit: f64| if i.is_multiple_of(2) { unit } else { 1.0 };
-                    let bounds = known.problem.shape().bounds();
-                    let pairs: Vec<_> = (0..n)
-                        .map(|j| (bounds.lower()[j] * unit(j, c), bounds.upper()[j] * unit(j, c)))
-                        .collect();
-                    let scaled: Vec<f64> = (0..n).map(|j| start[j] * unit(j, c)).collect();
-                    let mut problem = dense(&pairs, &scaled, |y, f, jac| {
-                        let z: Vec<f64> = (0..n).map(|j| y[j] / unit(j, c)).collect();
-                        let (g, h) = evaluate(&mut *known.problem, &z);
-                        for i in 0..n {
-                            f[i] = g[i] * unit(i, r);
-                            for j in 0..n {
-                                jac[i + n * j] = h[i + n * j] * unit(i, r) / unit(j, c);
-                            }
-                        }
-                    });
-                    let solution = solve(&mut problem, &options);
-                    let z: Vec<f64> = (0..n).map(|j| solution.z[j] / unit(j, c)).collect();
-                    let case = format!("{} from {start:?}, 10^{k}: {z:?}", known.name);
-                    assert!(solution.is_solved() && is_known(&known, &z), "{case}");
-                }
-            }
-        }
-    }
 }

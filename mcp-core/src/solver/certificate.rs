@@ -16,12 +16,14 @@
 //! `τ_j` says what counts as small for variable `j`, and matters only where `z_j` is near 0. It is
 //! the column scale of the equilibrated `J(z)`, in binary exponents, times one gauge for every block
 //! of variables that `J` connects: the geometric mean of `|z_j|` over the block in these scales, at
-//! least 10⁻⁴ of the same mean over the problem's start. Cost: one pass and a few sweeps over the
-//! nonzeros.
+//! least 10⁻⁴ of the same mean over the problem's start. A block that is 0 at both has the mean of
+//! `|F_i|` in the scales of the rows instead, the size of a Newton step, at least √ε times a gauge that
+//! makes no `τ_j` and no `s_i` larger than 1: there the rounding of numbers of order 1 is accepted.
+//! Cost: one pass and a few sweeps over the nonzeros.
 //!
 //! What no test of this kind can tell: an equation that is satisfied because it no longer depends
-//! on anything (`0 = 0`) looks like a solution at infinity and is called asymptotic; the scale of a
-//! variable that is 0 at the point and at the start is known only up to what `J` says.
+//! on anything (`0 = 0`) looks like a solution at infinity and is called asymptotic; variables that are
+//! 0 at the point and at the start have no scale but that of `F` and `J`.
 
 use crate::error::ModelError;
 use crate::problem::{Pattern, Problem};
@@ -141,9 +143,10 @@ pub(crate) struct Certifier {
     column_max: Vec<i32>,
     /// For every variable one further on the way to the representative of its block.
     block: Vec<usize>,
-    /// By representative of a block: means at the point and at the start.
+    /// By representative of a block: means at the point and at the start, and the gauge.
     mean_z: Vec<Mean>,
     mean_start: Vec<Mean>,
+    gauge: Vec<i32>,
     weight: Vec<f64>,
     row_size: Vec<f64>,
 }
@@ -164,15 +167,17 @@ fn value([sum, count]: Mean) -> Option<i32> {
     Some(i32::try_from(mean).expect("a mean of small exponents is small"))
 }
 
-/// What the gauge of a block is, from its means at the point and at the start: 0 if all is 0. 2⁻¹³ is
-/// about 10⁻⁴.
-fn gauge(at_z: Mean, at_start: Mean) -> i32 {
+/// The gauge of a block from its means at the point and at the start; none if all is 0. 2⁻¹³ is about
+/// 10⁻⁴.
+fn gauge(at_z: Mean, at_start: Mean) -> Option<i32> {
     match (value(at_z), value(at_start)) {
-        (Some(at_z), Some(at_start)) => at_z.max(at_start - 13),
-        (Some(gauge), None) | (None, Some(gauge)) => gauge,
-        (None, None) => 0,
+        (Some(at_z), Some(at_start)) => Some(at_z.max(at_start - 13)),
+        (gauge, None) | (None, gauge) => gauge,
     }
 }
+
+/// Binary exponent of √ε.
+const ROUNDING: i32 = -26;
 
 /// Exponent for "no nonzero seen yet".
 const NONE: i32 = i32::MIN / 4;
@@ -189,6 +194,7 @@ impl Certifier {
         {
             *scale = vec![0; n];
         }
+        self.gauge = vec![0; n];
         self.block = vec![0; n];
         (self.mean_z, self.mean_start) = (vec![[0; 2]; n], vec![[0; 2]; n]);
     }
@@ -339,6 +345,16 @@ impl Certifier {
 
     /// `w_j = |z_j| + τ_j`.
     fn weigh(&mut self, z: &[f64], start: &[f64]) {
+        self.measure(z, start);
+        for j in 0..z.len() {
+            let block = self.representative(j);
+            let exponent = (self.gauge[block] + self.column_scale[j]).clamp(-1000, 1000);
+            self.weight[j] = z[j].abs() + 2_f64.powi(exponent);
+        }
+    }
+
+    /// The gauges of all blocks.
+    fn measure(&mut self, z: &[f64], start: &[f64]) {
         for j in (0..z.len()).filter(|&j| self.block[j] == j) {
             (self.mean_z[j], self.mean_start[j]) = ([0; 2], [0; 2]);
         }
@@ -347,11 +363,36 @@ impl Certifier {
             add(&mut self.mean_z[block], z[j], self.column_scale[j]);
             add(&mut self.mean_start[block], start[j], self.column_scale[j]);
         }
-        for j in 0..z.len() {
-            let block = self.representative(j);
-            let gauge = gauge(self.mean_z[block], self.mean_start[block]);
-            let exponent = (gauge + self.column_scale[j]).clamp(-1000, 1000);
-            self.weight[j] = z[j].abs() + 2_f64.powi(exponent);
+        let mut all_known = true;
+        for j in (0..z.len()).filter(|&j| self.block[j] == j) {
+            let gauge = gauge(self.mean_z[j], self.mean_start[j]);
+            self.gauge[j] = gauge.unwrap_or(NONE);
+            all_known &= gauge.is_some();
+        }
+        if !all_known {
+            self.measure_by_f();
+        }
+    }
+
+    /// The gauges of the blocks that have none yet, from `F`.
+    fn measure_by_f(&mut self) {
+        // Means of `F` in place of those of `z`, which are empty, and the unit gauge in place of the
+        // means of the start. The representative comes first.
+        for i in 0..self.f.len() {
+            let block = self.representative(i);
+            if self.gauge[block] == NONE {
+                add(&mut self.mean_z[block], self.f[i], -self.row_scale[i]);
+                let unit = i64::from(self.row_scale[i].min(-self.column_scale[i]));
+                let smallest = if i == block { unit } else { self.mean_start[block][0].min(unit) };
+                self.mean_start[block] = [smallest, 1];
+            }
+        }
+        for j in (0..self.f.len()).filter(|&j| self.block[j] == j) {
+            if self.gauge[j] == NONE {
+                let unit = value(self.mean_start[j]).unwrap_or(0);
+                let newton = value(self.mean_z[j]).unwrap_or(unit);
+                self.gauge[j] = newton.max(unit + ROUNDING);
+            }
         }
     }
 

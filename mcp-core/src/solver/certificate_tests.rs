@@ -64,9 +64,15 @@ fn zero_is_a_solution_like_any_other() {
     let certificate = examine(&mut scalar(FREE, 0.0, 0.0, 3.0), &[0.0]).unwrap();
     assert_eq!(certificate.verdict(Some(1e-300), 1e-300), Verdict::Accepted);
     assert_eq!((certificate.natural_residual, certificate.relative_residual), (0.0, 0.0));
-    // 3z − 3e-9 at 0: small against the size 1 that stands in for a magnitude.
-    assert_eq!(verdict(&mut scalar(FREE, 0.0, -3e-9, 3.0), &[0.0]), Verdict::Accepted);
-    assert_eq!(verdict(&mut scalar(FREE, 0.0, -3e-7, 3.0), &[0.0]), Verdict::Refused);
+    // 3z − 3e-9 at 0: nothing says that 1e-9 is small. The rounding of numbers of order 1 is.
+    assert_eq!(verdict(&mut scalar(FREE, 0.0, -3e-9, 3.0), &[0.0]), Verdict::Refused);
+    assert_eq!(verdict(&mut scalar(FREE, 0.0, -5e-17, 3.0), &[0.0]), Verdict::Accepted);
+    // Next to a force of 1 against a bound.
+    let at_rest = |f: f64| {
+        let bounds = [FREE, NONNEGATIVE];
+        verdict(&mut line(&bounds, &[0.0; 2], &[f, 1.0], &[1.0, 0.5, 0.5, 1.0]), &[0.0; 2])
+    };
+    assert_eq!([1e-16, 1e-6].map(at_rest), [Verdict::Accepted, Verdict::Refused]);
     // At a bound, F decides by its sign.
     assert_eq!(verdict(&mut scalar(NONNEGATIVE, 0.0, 7.0, 1.0), &[0.0]), Verdict::Accepted);
     assert_eq!(verdict(&mut scalar(NONNEGATIVE, 0.0, -7.0, 1.0), &[0.0]), Verdict::Refused);
@@ -231,11 +237,12 @@ fn the_worst_rows_are_named() {
 
 #[test]
 fn the_start_keeps_the_gauge_from_collapsing() {
-    // z − 1e-9 at 0: wrong if z is of the size of the start 1e-9, right if it starts at 1.
+    // z − 1e-9 at 0: wrong if z is of the size of the start 1e-9, right if it starts at 1; of a start
+    // of 0 nothing is known but the step of Newton's method.
     let at = |start: f64| {
         examine(&mut scalar(FREE, start, -1e-9, 1.0), &[0.0]).unwrap().relative_residual
     };
-    assert!(at(1e-9) > 0.1 && at(1.0) < 1e-8 && at(0.0) < 1e-8, "{} {}", at(1e-9), at(1.0));
+    assert!(at(1e-9) > 0.1 && at(1.0) < 1e-8 && at(0.0) > 0.01, "{} {}", at(1e-9), at(1.0));
     // A solution that is small against its start is judged at 1e-4 of it.
     let near =
         |z: f64| examine(&mut scalar(FREE, 1.0, -1e-9, 1.0), &[z]).unwrap().relative_residual;
@@ -324,5 +331,20 @@ proptest! {
         let z = solution * (1.0 + error);
         let e = examine(&mut scalar(FREE, 1.0, -slope * solution, slope), &[z]).unwrap().relative_residual;
         prop_assert!((0.05 * error..2.0 * error).contains(&(e + 1e-14)), "{e} {error}");
+    }
+}
+
+#[test]
+fn zeros_in_any_units_are_no_solution() {
+    // Kojima and Shindo's F at 0 with every other variable, or all, in units of 1e-12 or 1e12.
+    let c = [-6.0, -2.0, -9.0, -3.0];
+    for units in [[1e-12, 1.0, 1e-12, 1.0], [1e12, 1.0, 1e12, 1.0], [1e-12; 4], [1e12; 4]] {
+        for f in [1e-12, 1.0, 1e12] {
+            let entry = |k: usize| f * (1.0 + (k % 3) as f64) / units[k / 4];
+            let jac: Vec<f64> = (0..16).map(entry).collect();
+            let mut problem = line(&[NONNEGATIVE; 4], &[0.0; 4], &c.map(|c| f * c), &jac);
+            let certificate = examine(&mut problem, &[0.0; 4]).unwrap();
+            assert!(certificate.relative_residual > 1e-4, "{units:?} {f}: {certificate:?}");
+        }
     }
 }
