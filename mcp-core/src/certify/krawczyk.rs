@@ -198,8 +198,7 @@ fn not_smooth(shape: &Shape, pairs: &Pairs, f: &[Interval], g: &[Interval]) -> O
     let finite = |x: &Interval| x.lower().is_finite() && x.upper().is_finite();
     let unknown = |&i: &usize| match pairs.side[i] {
         Side::Fixed => false,
-        Side::Off => !finite(&f[i]),
-        Side::AtLower | Side::AtUpper => f[i].is_undefined(),
+        Side::Off | Side::AtLower | Side::AtUpper => !finite(&f[i]),
     };
     if let Some(i) = (0..f.len()).find(unknown) {
         return Some(Refusal::NotDefined { equation: shape.equation_name(i) });

@@ -39,9 +39,9 @@ impl Pairs {
             let (above, below) = ((z[i] - lower[i]) / w, (upper[i] - z[i]) / w);
             let (side, margin, gap) = if lower[i] == upper[i] {
                 (Side::Fixed, f64::INFINITY, above.abs())
-            } else if f >= above {
+            } else if lower[i].is_finite() && f >= above {
                 (Side::AtLower, f, above.abs())
-            } else if -f >= below {
+            } else if upper[i].is_finite() && -f >= below {
                 (Side::AtUpper, -f, below.abs())
             } else {
                 (Side::Off, above.min(below), 0.0)

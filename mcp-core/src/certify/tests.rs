@@ -354,3 +354,30 @@ fn more_variables_off_their_bounds_than_the_limit_are_refused_at_once() {
     let expected = Refusal::TooLarge { off: MOST_OFF + 1, limit: MOST_OFF };
     assert_eq!(refused.proof, Proof::Refused(expected), "{refused}");
 }
+
+/// No bound is where it is infinite, whatever the sign of `F`.
+#[test]
+fn what_has_no_solution_is_not_proved_at_infinity() {
+    #[mcp_fn]
+    fn free<D: Scalar>([z]: [Real<D>; 1]) -> [Real<D>; 1] {
+        [0.0 * z + 3.4]
+    }
+    #[mcp_fn(lower = 0.0)]
+    fn pushed<D: Scalar>([z]: [Real<D>; 1]) -> [Real<D>; 1] {
+        [0.0 * z - 1.0]
+    }
+    let free = certify_at(&Free::new().unwrap(), &[0.0]);
+    let pushed = certify_at(&Pushed::new().unwrap(), &[0.0]);
+    assert!(!free.is_proved() && !pushed.is_proved(), "{free} {pushed}");
+}
+
+/// `F(0) = +∞` has the right sign at a lower bound, but is no value.
+#[test]
+fn what_is_undefined_at_the_bound_is_not_proved_there() {
+    #[mcp_fn(lower = 0.0)]
+    fn logarithm<D: Scalar>([z]: [Real<D>; 1]) -> [Real<D>; 1] {
+        [1.0 - z.ln() + z]
+    }
+    let accuracy = certify_at(&Logarithm::new().unwrap(), &[1e-13]);
+    assert!(!accuracy.is_proved(), "{accuracy}");
+}

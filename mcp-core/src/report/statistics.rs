@@ -31,7 +31,8 @@ pub struct Measure {
 ///                   a product with an infinite distance is |F_i|; 0 for fixed variables
 /// normal map        max_i dist( −F_i(y), N(y_i) ):  F_i⁻ at l_i,  F_i⁺ at u_i,  |F_i| between, 0 for
 ///                   fixed; y is z with every variable "at" a bound (see State) put onto it: the
-///                   normal map F(π(x)) + x − π(x) at its best x with π(x) = y
+///                   normal map F(π(x)) + x − π(x) at its best x with π(x) = y;
+///                   F(z) where F(y) is undefined
 /// minimum map       max_i | mid(z_i − l_i, F_i, z_i − u_i) |, the natural residual
 /// Fischer function  max_i | Φ_i |, Φ as in Reformulation
 /// Fischer gradient  max_j | ∇θ_j |,  θ = ½‖Φ‖²,  ∇θ = Da Φ + Jᵀ Db Φ
@@ -80,6 +81,9 @@ impl Statistics {
         let mut f_snapped = f.clone();
         if snapped != z {
             problem.evaluate(&snapped, Some(&mut f_snapped), None);
+            // An equation may be undefined on the bound itself.
+            let undefined = |(at_bound, _): &(&mut f64, &f64)| !at_bound.is_finite();
+            f_snapped.iter_mut().zip(&f).filter(undefined).for_each(|(at_bound, f)| *at_bound = *f);
         }
 
         let (shape, pattern) = (problem.shape(), problem.pattern());

@@ -9,7 +9,8 @@ use std::fmt::Write as _;
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Diagnosis {
-    /// The merit function is stationary here, but not zero.
+    /// The merit function is not zero and does not fall: it is stationary here, or, where `gradient` is
+    /// not small, steps on it stopped making progress.
     Stationary {
         /// Equations that hold least, the worst first.
         worst: Vec<usize>,
@@ -54,11 +55,15 @@ impl Diagnosis {
             Diagnosis::Stationary { worst, gradient } => {
                 let names: Vec<String> =
                     worst.iter().map(|&i| format!("`{}`", shape.equation_name(i))).collect();
-                write!(
-                    text,
-                    "no direction reduces the residual of {} (relative gradient {gradient:.1e})",
-                    names.join(", ")
-                )
+                let names = names.join(", ");
+                if *gradient <= STATIONARY {
+                    write!(
+                        text,
+                        "no direction reduces the residual of {names} (relative gradient {gradient:.1e})"
+                    )
+                } else {
+                    write!(text, "steps no longer reduce the residual of {names}")
+                }
             }
             Diagnosis::Singular { null_vector, is_homogeneous } => {
                 let hint = if *is_homogeneous {
@@ -77,6 +82,8 @@ impl Diagnosis {
     }
 }
 
+/// Relative gradient of a stationary point.
+pub(super) const STATIONARY: f64 = 1e-5;
 /// Entries shown of a vector.
 pub(super) const SHOWN: usize = 6;
 /// Entries smaller than this, relative to the largest, are not shown.

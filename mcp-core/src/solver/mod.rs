@@ -268,5 +268,6 @@ fn finish(run: &mut Run<'_>, status: Status, solution: &mut Solution) {
     if let Some(memory) = &run.work.robust {
         solution.stages.extend_from_slice(&memory.records);
     }
-    solution.diagnosis = run.work.diagnosis.take();
+    let diagnosis = run.work.diagnosis.take();
+    solution.diagnosis = diagnosis.filter(|_| solution.status != Status::Solved);
 }

@@ -154,8 +154,9 @@ impl Status {
                  still falling, raise the stall limit"
             }
             Status::IterationLimit => {
-                "allow more iterations if the residual was still falling, otherwise try another \
-                 start or another method"
+                "allow more iterations (of `Robust`: `robust.jacobians`) if the residual was still \
+                 falling, otherwise try another start or another method: the problem may have no \
+                 solution"
             }
             Status::TimeLimit => "allow more time or start closer to the solution",
             Status::DomainError => {

@@ -3,12 +3,10 @@
 use super::Search;
 use super::map::Map;
 use crate::solver::certificate::Verdict;
-use crate::solver::diagnosis::{Diagnosis, SHOWN, entries_by_size, largest_entries};
+use crate::solver::diagnosis::{Diagnosis, SHOWN, STATIONARY, entries_by_size, largest_entries};
 use crate::solver::stage::StageEnd;
 use crate::solver::status::Status;
 
-/// Relative gradient of a stationary point.
-const STATIONARY: f64 = 1e-5;
 /// `‖H v‖∞` of a null vector `v` with largest entry 1, relative to `√(‖H‖₁ ‖H‖∞)`.
 const NULL: f64 = 1e-9;
 
@@ -117,7 +115,9 @@ impl Search<'_, '_> {
         let ratio = |&(j, v): &(usize, f64)| v / memory.here.z[j];
         let mut entries = entries_by_size(&memory.direction);
         let first = entries.first().map_or(0.0, ratio);
+        let is_positive = entries.first().is_some_and(|(_, v)| *v > 0.0);
         let is_homogeneous = entries.len() > 1
+            && entries.iter().all(|(_, v)| (*v > 0.0) == is_positive)
             && entries.iter().all(|entry| (ratio(entry) / first - 1.0).abs() < 1e-3);
         entries.truncate(SHOWN);
         let mut direction = vec![0.0; pattern.n()];

@@ -346,6 +346,8 @@ impl Search<'_, '_> {
     fn begin(&mut self) -> Flow {
         self.report()?;
         if self.run.stats.jacobian_evaluations >= self.run.options.robust.jacobians {
+            // The status is the limit; what was found stays as the diagnosis.
+            self.diagnose();
             return Break(Status::IterationLimit);
         }
         self.run.check_limits()
