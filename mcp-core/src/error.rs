@@ -26,6 +26,46 @@ pub enum ModelError {
         /// The name.
         name: String,
     },
+    /// A part of a model is switched on that is on already.
+    #[error("the part `{part}` is on already: switch it on from the model without it")]
+    PartTwice {
+        /// The part.
+        part: String,
+    },
+    /// A part of a model is on without one that it requires.
+    #[error("the part `{part}` requires `{missing}`: switch both on, in one tuple")]
+    PartRequired {
+        /// The part that is on.
+        part: String,
+        /// The part that is off.
+        missing: String,
+    },
+    /// Two parts of a model are on that exclude each other.
+    #[error("the parts `{part}` and `{other}` exclude each other: switch one of them on")]
+    PartExcluded {
+        /// The part that says so.
+        part: String,
+        /// The other.
+        other: String,
+    },
+    /// Something is read of a part of a model that is off.
+    #[error("`{name}` exists only with the part `{part}`, which is off")]
+    PartOff {
+        /// The family.
+        name: String,
+        /// Its part.
+        part: String,
+    },
+    /// A variable is fixed by two parts of a model, or by a part and by the model without parts.
+    #[error("`{variable}` is fixed twice, by {} and by {}", fixing(.first.as_deref()), fixing(.second.as_deref()))]
+    FixedTwice {
+        /// The variable.
+        variable: String,
+        /// The part that fixes it first; `None` for the model itself.
+        first: Option<String>,
+        /// The part that fixes it again.
+        second: Option<String>,
+    },
     /// A family has more than 2³¹ elements.
     #[error("`{name}` has more than 2^31 elements")]
     TooManyElements {
@@ -234,6 +274,10 @@ impl fmt::Debug for ModelError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         fmt::Display::fmt(self, f)
     }
+}
+
+fn fixing(part: Option<&str>) -> String {
+    part.map_or_else(|| "the model".to_owned(), |part| format!("the part `{part}`"))
 }
 
 /// The end of a sentence about a name that nothing has: `` ; did you mean `price`? ``, or nothing.

@@ -237,5 +237,52 @@ pub use mcp_macros::mcp_fn;
 ///
 /// A misspelt name, an unpaired variable, swapped indices, a sign against its bound: each is one
 /// error of the compiler at the word where it stands.
+///
+/// An effect that brings unknowns is a `part`: it exists only where it is switched on.
+///
+/// ```
+/// use mcp_core::{Model, Options, mcp, solve};
+///
+/// mcp! {
+///     /// Coal and gas sell power.
+///     model Power {
+///         data { plants: Set, dirty: Subset(plants), cost[plants]: f64, slope: f64, demand: f64 }
+///         var q[i in plants] >= 0.0;
+///         var p >= 0.0;
+///         def unit_cost[i in plants]: cost[i] + slope * q[i];
+///         eq profit[i in plants]: unit_cost[i] - p            complements q[i];
+///         eq market: sum(plants, |i| q[i]) >= demand - p      complements p;
+///         /// A cap on emissions, with permits.
+///         part cap {
+///             data { limit: f64, rate[dirty]: f64 }
+///             /// price of a permit [$/t]
+///             var permit >= 0.0;
+///             eq emissions: limit >= sum(dirty, |i| rate[i] * q[i])   complements permit;
+///             adds unit_cost[i in dirty]: rate[i] * permit;
+///         }
+///     }
+/// }
+///
+/// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+/// let free = Power::builder()
+///     .plants(["coal", "gas"])
+///     .dirty(["coal"])
+///     .cost([2.0, 4.0])
+///     .slope(1.0)
+///     .demand(12.0)
+///     .build()?;
+/// let solution = solve(&free, &Options::default())?.solved()?;
+/// let view = free.view(&solution)?;
+/// assert_eq!((free.shape().n(), view.permit), (3, None));
+/// assert!((view.q["coal"] - 4.0).abs() < 1e-9);
+///
+/// let capped = free.with(Cap { limit: 2.0, rate: [("coal", 1.0)] })?;
+/// let solution = solve(&capped, &Options::default())?.solved()?;
+/// let view = capped.view(&solution)?;
+/// assert_eq!(capped.shape().n(), 4);
+/// assert!((view.p - 7.0).abs() < 1e-9 && (view.permit.unwrap_or(0.0) - 3.0).abs() < 1e-9);
+/// # Ok(())
+/// # }
+/// ```
 #[cfg(feature = "macros")]
 pub use mcp_macros::mcp;

@@ -13,6 +13,7 @@ mod function;
 mod messages;
 mod model;
 mod nearest;
+mod type_name;
 
 #[cfg(test)]
 mod tests;
@@ -73,6 +74,9 @@ pub fn mcp_fn(arguments: TokenStream, item: TokenStream) -> TokenStream {
 ///          | "def"    NAME[over] ["lifted"] ":" expression ";"
 ///          | "eq"     NAME[over] ["if" condition] ":" body "complements" NAME[index, …] ";"
 ///          | "report" NAME[over] ":" expression ";"
+///          | "part"   NAME ["requires" NAME, …] ["excludes" NAME, …] "{" item… "}"
+///          | "adds"   NAME[place, …] ":" expression ";"      in a part
+/// place   := i "in" SET  |  i, over the set of the target  |  LABEL
 /// over    := i "in" SET, …  |  l "@" "(" i "," j ")" "in" PAIRS
 /// bounds  := "free" | ">=" value | "<=" value | "in" value "..=" value
 /// body    := expression  |  expression (">=" | "<=" | "==") expression
@@ -100,6 +104,7 @@ pub fn mcp_fn(arguments: TokenStream, item: TokenStream) -> TokenStream {
 /// * `def` is a sub-expression evaluated once per pass; `lifted`, it becomes a free variable with
 ///   the equation `v − expression`, which keeps rows short where much is read through it.
 /// * `report` is evaluated at a solution and never part of `F`.
+/// * `part` is an effect that exists only where it is switched on: see below.
 ///
 /// Between `:` and `complements` stands Rust: `let`, `if` and `match` on data, closures, functions
 /// generic over `Scalar`; `D` is the type of the engine's numbers, `Real<D>` that of an expression.
@@ -119,6 +124,29 @@ pub fn mcp_fn(arguments: TokenStream, item: TokenStream) -> TokenStream {
 /// | `s[k, hours.wrap(t, -1)]` | the neighbour around the end |
 /// | `hours.is_first(t)`, `hours.first()`, `thermal.contains(g)`, `i == j`, `i.position()` | data |
 ///
+/// # Parts
+///
+/// A `part` holds any items but a further part. Where it is off, its variables, equations,
+/// definitions, parameters and reports do not exist: no name, no unknown, no operation, and nothing is
+/// tested while rows are computed. `part emission_cap` makes a type `EmissionCap`, whose fields are
+/// the data of the part and its parameters without value;
+/// `model.with(EmissionCap { limit: 3.0, ef: [("coal", 1.0)] })?` gives the model with it, and
+/// `model.with((tax, cap))?` with several, in any order. **A rate is a `param`; use a part when
+/// unknowns come or go.**
+///
+/// * `adds profit[i]: term` adds to `F` of an equation, or to the value of a definition, of the model,
+///   of the part itself, or of a part that it requires. Terms of several parts are added in the order
+///   of the text, so that the order of switching on changes no bit. Where the target has no row,
+///   nothing is added. `adds mc[g in thermal]: …` reaches a subset, `adds endow[labor]: …` a label.
+/// * `requires a, b` and `excludes c` are checked by `with`. A part reads the model, itself and what
+///   it requires, directly or through others; the model reads no part.
+/// * An equation and its variable belong to the same part. `fix` may hold a variable of the model;
+///   two parts cannot fix the same element.
+/// * Names are unique in the whole model. In the view, a value without indices is an `Option`, `None`
+///   where the part is off, and other families have no element.
+/// * Bounds, starts and parameters that were changed by name before `with` stay changed, except bounds
+///   that a part fixes.
+///
 /// # What is generated
 ///
 /// For `model Transport`, with the visibility and documentation of the text:
@@ -129,7 +157,8 @@ pub fn mcp_fn(arguments: TokenStream, item: TokenStream) -> TokenStream {
 ///   which checks everything;
 /// * `TransportView`, one field for each variable, definition, parameter and report:
 ///   `view.x[("seattle", "topeka")]`;
-/// * `TransportSets`, the types of the indices.
+/// * `TransportSets`, the types of the indices;
+/// * for each part its type, and `with` and `parts()`, the names of the parts that are on.
 ///
 /// With `MCP_MACRO_DEBUG=Transport` in the environment of the compiler, the expansion is printed.
 #[proc_macro]

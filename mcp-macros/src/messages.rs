@@ -5,6 +5,7 @@ pub(crate) mod grammar;
 pub(crate) mod habits;
 pub(crate) mod names;
 pub(crate) mod pairing;
+pub(crate) mod parts;
 pub(crate) mod reading;
 
 /// `#[mcp_fn]` stands on something that is not a function.

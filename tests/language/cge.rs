@@ -35,6 +35,9 @@ mcp! {
         eq income: hh - sum(factors, |f| pf[f] * fbar[f])                             complements hh;
         eq budget: gov - sum(sectors, |s| ty[s] * p[s] * y0[s] * y[s])                complements gov;
         report welfare: hh / cpi / c0.sum();
+        part ftax { param tf[f in factors, s in sectors] = tf0[f, s];
+          adds pfu[f, s]: pf[f] * tf[f, s] / (1.0 + tf0[f, s]);
+          adds budget: -sum(factors, |f| sum(sectors, |s| tf[f, s] * pf[f] * df[f, s])); }
     }
 }
 
@@ -100,10 +103,12 @@ fn unit_ces(sigma: f64, terms: [(f64, f64); 2]) -> f64 {
     terms.iter().map(|(share, price)| share * price.powf(rho)).sum::<f64>().powf(1.0 / rho)
 }
 
-fn at_rent(rent: f64, tax: [f64; 2]) -> (Reference, f64) {
+/// `factor_tax[f][s]` comes on top of the price of factor `f`.
+fn at_rent(rent: f64, tax: [f64; 2], factor_tax: [[f64; 2]; 2]) -> (Reference, f64) {
     let factor = [1.0, rent];
+    let paid = |f: usize, s: usize| factor[f] * (1.0 + factor_tax[f][s]);
     let cva: [f64; 2] =
-        std::array::from_fn(|s| unit_ces(SVA[s], [0, 1].map(|f| (FD0[f][s] / VA0[s], factor[f]))));
+        std::array::from_fn(|s| unit_ces(SVA[s], [0, 1].map(|f| (FD0[f][s] / VA0[s], paid(f, s)))));
     let mut p = [1.0_f64; 2];
     let (mut cin, mut cy) = ([1.0; 2], [1.0; 2]);
     for _ in 0..2000 {
@@ -120,7 +125,10 @@ fn at_rent(rent: f64, tax: [f64; 2]) -> (Reference, f64) {
     let mut y = [1.0; 2];
     let mut gov = 0.0;
     for _ in 0..4000 {
-        gov = (0..2).map(|s| tax[s] * p[s] * Y0[s] * y[s]).sum();
+        let used = |f: usize, s: usize| used(f, s, y, cy, cva, paid(f, s));
+        let on_factors =
+            |s: usize| (0..2).map(|f| factor_tax[f][s] * factor[f] * used(f, s)).sum::<f64>();
+        gov = (0..2).map(|s| tax[s] * p[s] * Y0[s] * y[s] + on_factors(s)).sum();
         y = std::array::from_fn(|s| {
             let intermediate: f64 = (0..2)
                 .map(|k| ID0[s][k] * y[k] * (cy[k] / cin[k]).powf(SY[k]) * cin[k] / p[s])
@@ -129,21 +137,24 @@ fn at_rent(rent: f64, tax: [f64; 2]) -> (Reference, f64) {
             (intermediate + household + G0[s] * gov / (30.0 * p[s])) / Y0[s]
         });
     }
-    let capital: f64 = (0..2)
-        .map(|s| FD0[1][s] * y[s] * (cy[s] / cva[s]).powf(SY[s]) * (cva[s] / rent).powf(SVA[s]))
-        .sum();
+    let capital: f64 = (0..2).map(|s| used(1, s, y, cy, cva, paid(1, s))).sum();
     (Reference { p, y, rent, gov }, FBAR[1] - capital)
 }
 
+/// Factor `f` that sector `s` uses at the price `paid`.
+fn used(f: usize, s: usize, y: [f64; 2], cy: [f64; 2], cva: [f64; 2], paid: f64) -> f64 {
+    FD0[f][s] * y[s] * (cy[s] / cva[s]).powf(SY[s]) * (cva[s] / paid).powf(SVA[s])
+}
+
 /// The equilibrium at these taxes: the rent by bisection.
-fn reference(tax: [f64; 2]) -> Reference {
+fn reference(tax: [f64; 2], factor_tax: [[f64; 2]; 2]) -> Reference {
     let (mut low, mut high) = (0.2, 5.0);
     for _ in 0..100 {
         let middle = 0.5 * (low + high);
         // A higher rent leaves capital over.
-        if at_rent(middle, tax).1 < 0.0 { low = middle } else { high = middle }
+        if at_rent(middle, tax, factor_tax).1 < 0.0 { low = middle } else { high = middle }
     }
-    at_rent(0.5 * (low + high), tax).0
+    at_rent(0.5 * (low + high), tax, factor_tax).0
 }
 
 #[test]
@@ -154,7 +165,7 @@ fn a_tax_on_one_sector_moves_prices_as_in_an_independent_computation() {
     let solution = solve(&model, &Options::default()).unwrap().solved().unwrap();
     let view = model.view(&solution).unwrap();
 
-    let reference = reference(tax);
+    let reference = reference(tax, [[0.0; 2]; 2]);
     for (s, sector) in ["agriculture", "manufacturing"].into_iter().enumerate() {
         assert!((view.p[sector] - reference.p[s]).abs() < 1e-8);
         assert!((view.y[sector] - reference.y[s]).abs() < 1e-8);
@@ -169,8 +180,37 @@ fn a_tax_on_one_sector_moves_prices_as_in_an_independent_computation() {
 }
 
 #[test]
+fn a_tax_on_factors_of_rate_zero_changes_nothing() {
+    let (base, taxed) = (economy(), economy().with(Ftax).unwrap());
+    let levels = |model: &Cge| solve(model, &Options::default()).unwrap().solved().unwrap().z;
+    for (without, with) in levels(&base).iter().zip(levels(&taxed)) {
+        assert!((without - with).abs() <= 1e-12 * without.abs().max(1.0));
+    }
+}
+
+#[test]
+fn a_tax_on_capital_moves_prices_as_in_an_independent_computation() {
+    let factor_tax = [[0.0, 0.0], [0.1, 0.4]];
+    let mut model = economy().with(Ftax).unwrap();
+    model.set_parameter("tf", &factor_tax.concat()).unwrap();
+    let solution = solve(&model, &Options::default()).unwrap().solved().unwrap();
+    let view = model.view(&solution).unwrap();
+
+    let reference = reference([TAX; 2], factor_tax);
+    for (s, sector) in ["agriculture", "manufacturing"].into_iter().enumerate() {
+        assert!((view.p[sector] - reference.p[s]).abs() < 1e-8);
+        assert!((view.y[sector] - reference.y[s]).abs() < 1e-8);
+        assert_eq!(view.tf[("capital", sector)], factor_tax[1][s]);
+    }
+    assert!((view.pf["capital"] - reference.rent).abs() < 1e-8);
+    assert!((view.gov - reference.gov).abs() < 1e-6);
+    assert!(reference.rent < 0.9, "who uses capital pays less for it before tax");
+}
+
+#[test]
 fn the_example_reports_the_changes_of_the_independent_computation() {
-    let (before, after) = (reference([TAX, TAX]), reference([TAX, cge_tax::TAX]));
+    let none = [[0.0; 2]; 2];
+    let (before, after) = (reference([TAX, TAX], none), reference([TAX, cge_tax::TAX], none));
     let percent = |before: f64, after: f64| 100.0 * (after / before - 1.0);
     let expected = [
         percent(before.p[0], after.p[0]),

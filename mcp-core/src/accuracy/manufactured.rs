@@ -177,7 +177,8 @@ impl<M: Model> Model for Manufactured<M> {
         &self.shape
     }
     fn row<D: Scalar>(&self, family: usize, index: usize, read: &Reader<'_, D>) -> Real<D> {
-        let first = self.shape.equations().nth(family).map_or(0, crate::Family::offset);
+        let first =
+            self.shape.equations().find(|e| e.entry() == family).map_or(0, crate::Family::offset);
         self.shifted(first + index, self.model.row(family, index, read))
     }
     fn def<D: Scalar>(&self, family: usize, index: usize, read: &Reader<'_, D>) -> Real<D> {

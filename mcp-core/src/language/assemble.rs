@@ -1,8 +1,11 @@
 //! What the code that `mcp!` generates calls while a model is built.
 
 use super::given::{Given, Input};
-use super::input::{DataError, LabelMap, LabelPairs, LabelSubset, Labels, Table};
+use super::input::{DataError, Table};
 use super::layout::{At, Elements, Family, Layout, Made, Sparse};
+use super::parts::Switches;
+use super::resolve::not_given;
+use super::values::{FamilyValues, Side};
 use crate::apart::Apart;
 use crate::error::ModelError;
 use crate::model::{Definition, Equation, Parameter, Set, Shape, ShapeBuilder, Variable};
@@ -28,17 +31,6 @@ impl<T, F: Fn(&At) -> T> PerElement<T> for F {
 /// A number for every element.
 pub type Each<'a> = &'a dyn PerElement<f64>;
 
-/// What a variable family has one of for each element.
-#[derive(Clone, Copy, Debug)]
-pub enum Side {
-    /// Lower bound.
-    Lower,
-    /// Upper bound.
-    Upper,
-    /// Where a solve starts.
-    Start,
-}
-
 /// Which combinations there are: [`Assembly::variables`].
 pub type Condition<'a> = &'a dyn PerElement<bool>;
 
@@ -47,12 +39,12 @@ pub type Condition<'a> = &'a dyn PerElement<bool>;
 ///
 /// Nothing here is generic: what a model compiles itself are the closures that read its data. They
 /// are not called after an error, which is told at the end: no line of the model's own returns it.
-pub struct Assembly(Apart<Parts>);
+pub struct Assembly(pub(super) Apart<Pieces>);
 
 #[derive(Default)]
-struct Parts {
-    given: Given,
-    shape: ShapeBuilder,
+pub(super) struct Pieces {
+    pub(super) given: Given,
+    pub(super) shape: ShapeBuilder,
     variables: usize,
     definitions: usize,
     parameters: usize,
@@ -61,7 +53,19 @@ struct Parts {
     values: FamilyValues,
     /// What was made last.
     made: Option<Made>,
-    error: Option<ModelError>,
+    pub(super) error: Option<ModelError>,
+    /// Families so far, of each kind, whether they are on or not.
+    entries: [usize; 4],
+    pub(super) switches: Switches,
+}
+
+/// Families that the model is asked for by their entry.
+#[derive(Clone, Copy)]
+enum Entered {
+    Variable,
+    Equation,
+    Definition,
+    Report,
 }
 
 impl fmt::Debug for Assembly {
@@ -72,7 +76,7 @@ impl fmt::Debug for Assembly {
 
 impl Default for Assembly {
     fn default() -> Self {
-        Assembly(Apart::new(Parts::default()))
+        Assembly(Apart::new(Pieces::default()))
     }
 }
 
@@ -91,18 +95,28 @@ impl Assembly {
         self.0.given.put(field, input);
     }
 
-    /// The result, unless there was an error before.
-    fn attempt<T>(&mut self, make: impl FnOnce(&mut Parts) -> Result<T, ModelError>) -> Option<T> {
-        if self.0.error.is_some() {
+    /// The result, unless there was an error before or the part at hand is off.
+    pub(super) fn attempt<T>(
+        &mut self,
+        make: impl FnOnce(&mut Pieces) -> Result<T, ModelError>,
+    ) -> Option<T> {
+        if self.0.error.is_some() || self.0.switches.is_off() {
             return None;
         }
         make(&mut self.0).map_err(|error| self.0.error = Some(error)).ok()
     }
 
+    /// The number of the next family of a kind.
+    fn entry(&mut self, of: Entered) -> usize {
+        let entry = &mut self.0.entries[of as usize];
+        *entry += 1;
+        *entry - 1
+    }
+
     /// Makes a family, unless there was an error before.
-    fn make<M: Into<Made>>(
+    pub(super) fn make<M: Into<Made>>(
         &mut self,
-        make: impl FnOnce(&mut Parts) -> Result<M, ModelError>,
+        make: impl FnOnce(&mut Pieces) -> Result<M, ModelError>,
     ) -> &mut Self {
         self.0.made = self.attempt(make).map(Into::into);
         self
@@ -113,93 +127,8 @@ impl Assembly {
         family.take(self.0.made.take().unwrap_or(Made::EMPTY));
     }
 
-    /// A field of a type of the user's own.
-    ///
-    /// # Errors
-    /// The first that there was, or [`DataError::NotGiven`].
-    pub fn required<T>(&mut self, name: &str, value: Option<T>) -> Result<T, ModelError> {
-        match value {
-            Some(value) => self.so_far().map(|()| value),
-            None => Err(self.not_given(name)),
-        }
-    }
-
-    fn so_far(&mut self) -> Result<(), ModelError> {
+    pub(super) fn so_far(&mut self) -> Result<(), ModelError> {
         self.0.error.take().map_or(Ok(()), Err)
-    }
-
-    fn not_given(&mut self, name: &str) -> ModelError {
-        self.so_far().err().unwrap_or_else(|| not_given(name))
-    }
-
-    /// A set.
-    pub fn set(&mut self, field: usize, name: &str) -> Set {
-        let set =
-            self.attempt(|parts| Ok(parts.required::<Labels>(field, name)?.into_set(name)?));
-        set.unwrap_or_else(|| Set::count(name, 0))
-    }
-
-    /// A set of as many elements as the text says.
-    pub fn count(&mut self, name: &str, elements: usize) -> Set {
-        let set = self.attempt(|_| Ok(Labels::from(elements).into_set(name)?));
-        set.unwrap_or_else(|| Set::count(name, 0))
-    }
-
-    /// A set with the labels of the text.
-    pub fn labels(&mut self, name: &str, labels: &[&str]) -> Set {
-        let set = self.attempt(|_| Set::new(name, labels.iter().copied()));
-        set.unwrap_or_else(|| Set::count(name, 0))
-    }
-
-    /// A subset, and the positions of its elements in the larger set.
-    pub fn subset(&mut self, field: usize, name: &str, larger: &Set) -> (Set, Vec<usize>) {
-        let subset = self.attempt(|parts| {
-            let positions = parts.required::<LabelSubset>(field, name)?.resolve(name, larger)?;
-            let labels = positions.iter().map(|&position| larger.label(position));
-            Ok((Set::new(name, labels)?, positions))
-        });
-        subset.unwrap_or_else(|| (Set::count(name, 0), Vec::new()))
-    }
-
-    /// A set of arcs, and the positions of their ends.
-    pub fn pairs(
-        &mut self,
-        field: usize,
-        name: &str,
-        [from, to]: [&Set; 2],
-    ) -> (Set, Vec<(usize, usize)>) {
-        let pairs = self.attempt(|parts| {
-            Ok(parts.required::<LabelPairs>(field, name)?.resolve(name, from, to)?)
-        });
-        pairs.unwrap_or_else(|| (Set::count(name, 0), Vec::new()))
-    }
-
-    /// A map, as the position to which every element is sent.
-    pub fn map(&mut self, field: usize, name: &str, [from, to]: [&Set; 2]) -> Vec<usize> {
-        let map = self.attempt(|parts| {
-            Ok(parts.required::<LabelMap>(field, name)?.resolve(name, from, to)?)
-        });
-        map.unwrap_or_default()
-    }
-
-    /// A number.
-    pub fn number(&mut self, field: usize, name: &str) -> f64 {
-        let number = self.attempt(|parts| {
-            let number: f64 = parts.required(field, name)?;
-            if number.is_nan() {
-                return Err(DataError::Nan { key: name.to_owned(), place: None }.into());
-            }
-            Ok(number)
-        });
-        number.unwrap_or(f64::NAN)
-    }
-
-    /// A table.
-    pub fn table(&mut self, field: usize, name: &str, sets: &[&Set]) -> &mut Self {
-        self.make(|parts| {
-            let values = parts.required::<Table>(field, name)?.resolve(name, sets)?;
-            Ok(Made { values, ..Layout::new(name, sets)?.into() })
-        })
     }
 
     /// Lays a parameter family out and declares it, with what was given or else the values of the
@@ -212,19 +141,21 @@ impl Assembly {
         values: Option<Each<'_>>,
     ) -> &mut Self {
         let [name, about, unit] = *text;
-        self.make(|parts| {
+        self.make(|pieces| {
             let mut made = Made::EMPTY;
-            made.values = match (parts.given.take::<Table>(field), values) {
+            let kept: Option<Vec<f64>> = pieces.given.take(field);
+            made.values = match (pieces.given.take::<Table>(field), values) {
                 (Some(table), _) => table.resolve(name, sets)?,
+                (None, _) if kept.is_some() => kept.unwrap_or_default(),
                 (None, Some(values)) => Sparse::new(Layout::new(name, sets)?, None).each(values),
                 (None, None) => return Err(not_given(name)),
             };
             made.elements.layout = Layout::new(name, sets)?;
-            made.elements.layout.offset = parts.parameters;
-            parts.parameters += made.values.len();
+            made.elements.layout.offset = pieces.parameters;
+            pieces.parameters += made.values.len();
             let family = Parameter::new(name, made.values.clone());
             let family = family.over(sets).about(about).unit(unit);
-            parts.shape = take(&mut parts.shape).parameter(family);
+            pieces.shape = take(&mut pieces.shape).parameter(family);
             Ok(made)
         })
     }
@@ -238,9 +169,10 @@ impl Assembly {
         condition: Option<Condition<'_>>,
     ) -> &mut Self {
         let [name, about, unit] = *text;
-        self.make(|parts| {
+        let entry = self.entry(Entered::Variable);
+        self.make(|pieces| {
             let layout = Layout::new(name, sets)?;
-            let mut family = Variable::new(name).about(about).unit(unit).over(sets);
+            let mut family = Variable::new(name).entered(entry).about(about).unit(unit).over(sets);
             let mut elements = if let Some(condition) = condition {
                 let holds = |&dense: &usize| condition.value(&layout.split(dense));
                 let members: Vec<usize> = (0..layout.count).filter(holds).collect();
@@ -250,11 +182,11 @@ impl Assembly {
             } else {
                 Sparse::new(layout, None)
             };
-            elements.layout.offset = parts.variables;
-            parts.variables += elements.layout.count;
-            parts.declare();
-            parts.values = FamilyValues::free(elements.layout.count);
-            parts.family = Some((family, elements.clone()));
+            elements.layout.offset = pieces.variables;
+            pieces.variables += elements.layout.count;
+            pieces.declare();
+            pieces.values = FamilyValues::free(elements.layout.count);
+            pieces.family = Some((family, elements.clone()));
             Ok(elements)
         })
     }
@@ -266,9 +198,9 @@ impl Assembly {
 
     /// Bounds or starts of the variable family at hand.
     pub fn values(&mut self, side: Side, each: Each<'_>) {
-        self.attempt(|parts| {
-            if let Some((_, elements)) = &parts.family {
-                *parts.values.of(side) = elements.each(each);
+        self.attempt(|pieces| {
+            if let Some((_, elements)) = &pieces.family {
+                *pieces.values.of(side) = elements.each(each);
             }
             Ok(())
         });
@@ -277,12 +209,12 @@ impl Assembly {
     /// Fixes elements of the variable family at hand: for each combination of `sets` one, where there
     /// is one. Without `sets` it must exist.
     pub fn fix(&mut self, name: &str, sets: &[&Set], place: &dyn PerElement<(Option<usize>, f64)>) {
-        self.attempt(|parts| {
+        self.attempt(|pieces| {
             let layout = Layout::new(name, sets)?;
             for combination in 0..layout.count {
                 let (place, value) = place.value(&layout.split(combination));
                 if place.is_some() || sets.is_empty() {
-                    parts.values.fix(place, value, name)?;
+                    pieces.fix(place, value, name)?;
                 }
             }
             Ok(())
@@ -292,12 +224,13 @@ impl Assembly {
     /// Lays a definition family out and declares it.
     pub fn definition(&mut self, text: Text<'_>, sets: &[&Set]) -> &mut Self {
         let [name, about, unit] = *text;
-        self.make(|parts| {
+        let entry = self.entry(Entered::Definition);
+        self.make(|pieces| {
             let mut layout = Layout::new(name, sets)?;
-            layout.offset = parts.definitions;
-            parts.definitions += layout.count;
-            let family = Definition::new(name).about(about).unit(unit).over(sets);
-            parts.shape = take(&mut parts.shape).definition(family);
+            layout.offset = pieces.definitions;
+            pieces.definitions += layout.count;
+            let family = Definition::new(name).entered(entry).about(about).unit(unit).over(sets);
+            pieces.shape = take(&mut pieces.shape).definition(family);
             Ok(layout)
         })
     }
@@ -305,9 +238,10 @@ impl Assembly {
     /// Lays a report family out and declares it.
     pub fn report(&mut self, text: Text<'_>, sets: &[&Set]) -> &mut Self {
         let [name, about, unit] = *text;
-        self.make(|parts| {
-            let family = Definition::new(name).about(about).unit(unit).over(sets);
-            parts.shape = take(&mut parts.shape).report(family);
+        let entry = self.entry(Entered::Report);
+        self.make(|pieces| {
+            let family = Definition::new(name).entered(entry).about(about).unit(unit).over(sets);
+            pieces.shape = take(&mut pieces.shape).report(family);
             Layout::new(name, sets)
         })
     }
@@ -321,10 +255,11 @@ impl Assembly {
         variable: &str,
         paired: &dyn PerElement<Option<usize>>,
     ) -> &mut Self {
-        self.make(|parts| {
+        let entry = self.entry(Entered::Equation);
+        self.make(|pieces| {
             let layout = Layout::new(text[0], sets)?;
             let place = |combination| paired.value(&layout.split(combination));
-            Ok(parts.equation(text, sets, variable, &layout, place))
+            Ok(pieces.equation((text, entry), sets, variable, &layout, place))
         })
     }
 
@@ -337,20 +272,22 @@ impl Assembly {
         variable: &str,
         like: Option<&Sparse>,
     ) -> &mut Self {
-        self.make(|parts| {
+        let entry = self.entry(Entered::Equation);
+        self.make(|pieces| {
             let layout = Layout::new(text[0], sets)?;
             let place =
                 |combination| like.map_or(Some(combination), |like| like.place(combination));
-            Ok(parts.equation(text, sets, variable, &layout, place))
+            Ok(pieces.equation((text, entry), sets, variable, &layout, place))
         })
     }
 
     /// The equation family of a lifted definition.
     pub fn lifted(&mut self, text: Text<'_>, sets: &[&Set], variable: &str) -> &mut Self {
         let [name, about, unit] = *text;
-        self.make(|parts| {
-            let family = Equation::new(name).about(about).unit(unit).over(sets);
-            parts.shape = take(&mut parts.shape).equation(family.complements(variable));
+        let entry = self.entry(Entered::Equation);
+        self.make(|pieces| {
+            let family = Equation::new(name).entered(entry).about(about).unit(unit).over(sets);
+            pieces.shape = take(&mut pieces.shape).equation(family.complements(variable));
             Layout::new(variable, sets)
         })
     }
@@ -367,18 +304,24 @@ impl Assembly {
     }
 }
 
-fn not_given(name: &str) -> ModelError {
-    DataError::NotGiven { name: name.to_owned() }.into()
-}
-
-impl Parts {
-    /// A field of the data.
-    fn required<T: TryFrom<Input>>(&mut self, field: usize, name: &str) -> Result<T, ModelError> {
-        self.given.take(field).ok_or_else(|| not_given(name))
+impl Pieces {
+    /// Fixes an element of the variable family at hand; `None` is a combination without element.
+    fn fix(&mut self, place: Option<usize>, value: f64, name: &str) -> Result<(), ModelError> {
+        let Some(place) = place else {
+            return Err(DataError::FixedAbsent { name: name.to_owned() }.into());
+        };
+        let element = || match &self.family {
+            Some((family, _)) => family.element_name(place),
+            None => name.to_owned(),
+        };
+        self.switches.fixes(place, element)?;
+        self.values.fix(place, value);
+        Ok(())
     }
 
     /// Declares the variable family at hand, if there is one.
     fn declare(&mut self) {
+        self.switches.next_variable();
         if let Some((family, _)) = self.family.take() {
             let FamilyValues { lower, upper, start } = take(&mut self.values);
             let family = family.lower(lower).upper(upper).start(start);
@@ -389,7 +332,7 @@ impl Parts {
     /// Declares an equation family with a row for each combination that has a place.
     fn equation(
         &mut self,
-        &[name, about, unit]: Text<'_>,
+        (&[name, about, unit], entry): (Text<'_>, usize),
         sets: &[&Set],
         variable: &str,
         all: &Layout,
@@ -399,48 +342,12 @@ impl Parts {
         let (members, places): (Vec<_>, Vec<_>) = (0..all.count).filter_map(place).unzip();
         let some = (members.len() < all.count).then_some(&members[..]);
         let rows = Sparse::new(all.clone(), some);
-        let mut family = Equation::new(name).about(about).unit(unit).over(sets);
+        let mut family = Equation::new(name).entered(entry).about(about).unit(unit).over(sets);
         if members.len() < all.count {
             family = family.only(members);
         }
         self.shape = take(&mut self.shape).equation(family.complements_elements(variable, places));
         rows
-    }
-}
-
-/// Bounds and starts of a variable family, one for each element, while it is declared.
-#[derive(Default)]
-struct FamilyValues {
-    lower: Vec<f64>,
-    upper: Vec<f64>,
-    start: Vec<f64>,
-}
-
-impl FamilyValues {
-    /// Free variables starting at 0.
-    fn free(count: usize) -> Self {
-        FamilyValues {
-            lower: vec![f64::NEG_INFINITY; count],
-            upper: vec![f64::INFINITY; count],
-            start: vec![0.0; count],
-        }
-    }
-
-    fn of(&mut self, side: Side) -> &mut Vec<f64> {
-        match side {
-            Side::Lower => &mut self.lower,
-            Side::Upper => &mut self.upper,
-            Side::Start => &mut self.start,
-        }
-    }
-
-    /// Fixes an element of the family; `None` is a combination without element.
-    fn fix(&mut self, place: Option<usize>, value: f64, variable: &str) -> Result<(), ModelError> {
-        let Some(place) = place else {
-            return Err(DataError::FixedAbsent { name: variable.to_owned() }.into());
-        };
-        (self.lower[place], self.upper[place], self.start[place]) = (value, value, value);
-        Ok(())
     }
 }
 

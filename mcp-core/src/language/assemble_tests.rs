@@ -96,29 +96,3 @@ fn the_first_error_is_told_and_nothing_is_called_after_it() {
     let error = assembly.required("cost", Some(2.0)).unwrap_err();
     assert_eq!(error.to_string(), not_given);
 }
-
-#[test]
-fn fixing_an_element_sets_its_bounds_and_its_start_and_no_others() {
-    let mut values = FamilyValues::free(3);
-    values.fix(Some(1), 2.5, "x").unwrap();
-    let (minus, plus) = (f64::NEG_INFINITY, f64::INFINITY);
-    assert_eq!(values.lower, [minus, 2.5, minus]);
-    assert_eq!(values.upper, [plus, 2.5, plus]);
-    assert_eq!(values.start, [0.0, 2.5, 0.0]);
-    values.fix(Some(1), -1.0, "x").unwrap();
-    assert_eq!((values.lower[1], values.upper[1], values.start[1]), (-1.0, -1.0, -1.0));
-}
-
-#[test]
-fn fixing_an_element_that_does_not_exist_is_an_error_and_changes_nothing() {
-    let mut values = FamilyValues::free(1);
-    let error = values.fix(None, 2.0, "x").unwrap_err();
-    assert_eq!(error, DataError::FixedAbsent { name: "x".to_owned() }.into());
-    assert_eq!((values.lower[0], values.start[0]), (f64::NEG_INFINITY, 0.0));
-}
-
-#[test]
-fn a_family_without_elements_has_no_values() {
-    let values = FamilyValues::free(0);
-    assert!(values.lower.is_empty() && values.upper.is_empty() && values.start.is_empty());
-}

@@ -137,6 +137,11 @@ macro_rules! reading {
             pub fn at<D: Scalar>(&self, read: &Reader<'_, D>, $($i: impl Near<$S>),*) -> Maybe<Real<D>> {
                 Maybe(Position::<($($S,)*)>::near(&self.0, $($i),*).map(|dense| read.row(Asked::Definition, self.0.offset + dense)))
             }
+            /// Place of a definition in the family.
+            #[doc(hidden)]
+            pub fn place(&self, $($i: impl Element<$S>),*) -> Option<usize> {
+                Some(Position::<($($S,)*)>::dense(&self.0, $($i),*))
+            }
             /// The positions of a definition's indices in their sets.
             #[doc(hidden)]
             #[inline]
@@ -164,7 +169,13 @@ macro_rules! reading {
                 self.0.values()[Position::<($($S,)*)>::dense(&self.0.layout, $($i),*)]
             }
         }
+        #[allow(clippy::too_many_arguments, reason = "one for each index set")]
         impl<$($S: Domain,)* L: Elements> Rows<($($S,)*), L> {
+            /// Place of a row in the family, if it has one.
+            #[doc(hidden)]
+            pub fn place(&self, $($i: impl Element<$S>),*) -> Option<usize> {
+                self.0.place(Position::<($($S,)*)>::dense(self.0.layout(), $($i),*))
+            }
             /// The positions of a row's indices in their sets.
             #[doc(hidden)]
             #[inline]

@@ -17,6 +17,8 @@ pub enum Input {
     Table(Table),
     /// A number.
     Number(f64),
+    /// The values of a parameter in a model that is built already.
+    Kept(Vec<f64>),
 }
 
 /// The way into [`Input`] and out of it.
@@ -46,6 +48,7 @@ input! {
     Map(LabelMap)
     Table(Table)
     Number(f64)
+    Kept(Vec<f64>)
 }
 
 /// All fields of the data, by number.
@@ -60,8 +63,9 @@ impl Given {
         self.0[field] = Some(input);
     }
 
-    /// What was given for a field, if anything.
-    pub(super) fn take<T: TryFrom<Input>>(&mut self, field: usize) -> Option<T> {
-        T::try_from(self.0.get_mut(field)?.take()?).ok()
+    /// What was given for a field, if it is of this type.
+    pub(super) fn take<T: TryFrom<Input, Error = Input>>(&mut self, field: usize) -> Option<T> {
+        let place = self.0.get_mut(field)?;
+        T::try_from(place.take()?).map_err(|other| *place = Some(other)).ok()
     }
 }

@@ -14,6 +14,7 @@
 //! | `cost[plants, markets]: f64` | [`Data`] | `cost[i, j]`, `cost.sum()`, `load.at(t - 1).or(0.0)` |
 //! | `param tax[s in sectors]` | [`Parameters`] | `tax[s]`, `tax.base(s)` |
 //! | `var x[…]`, `def c[…]` | [`Variables`], [`Definitions`] | `x[i, j]`, `x.at(t - 1).or(x0)` |
+//! | `part cap { … }` | a type `Cap` beside the model, with the data of the part | `model.with(Cap { … })`: [`PartsOf`] |
 
 mod assemble;
 mod expression;
@@ -24,13 +25,16 @@ mod instances;
 mod ix;
 mod layout;
 mod pairs;
+mod parts;
+mod resolve;
 mod sets;
 #[cfg(test)]
 mod test_sets;
+mod values;
 mod view;
 
 #[doc(hidden)]
-pub use assemble::{Assembly, Condition, Each, PerElement, Side, Text};
+pub use assemble::{Assembly, Condition, Each, PerElement, Text};
 #[doc(hidden)]
 pub use expression::{Expression, expression};
 pub use families::{Data, Definitions, Parameters, Rows, Variables};
@@ -39,11 +43,16 @@ pub use given::Input;
 pub use input::{DataError, LabelMap, LabelPairs, LabelSubset, Labels, Table};
 pub use ix::{Domain, Element, Ix, Listed, Maybe, Near, OrderedDomain, Place, Shifted};
 #[doc(hidden)]
-pub use layout::{At, Elements, Family, Filled, Layout, Made, Sparse};
+pub use layout::{Added, At, Elements, Family, Filled, Layout, Made, Sparse};
 pub use pairs::{Map, Pairs};
+pub use parts::PartsOf;
+#[doc(hidden)]
+pub use parts::{PartText, Parts};
 #[doc(hidden)]
 pub use sets::Places;
 pub use sets::{IndexSet, Indices, Members, Subset};
+#[doc(hidden)]
+pub use values::Side;
 pub use view::{Key, Levels, VariableLevels};
 #[doc(hidden)]
-pub use view::{Numbers, ViewedTable, start_of_lifted, viewed};
+pub use view::{Numbers, ViewedTable, start_of_lifted, viewed, viewed_with_parts};

@@ -1,5 +1,6 @@
 //! [`Levels`]: the numbers of a solution, read by the labels of the model's sets.
 
+use super::parts::Parts;
 use crate::error::ModelError;
 use crate::model::{Family, Reader, Set};
 use crate::problem::{Derived, PlainModel, constants, plain_definitions};
@@ -79,6 +80,8 @@ pub struct Numbers {
     values: Vec<f64>,
     /// Of a variable family.
     marginals: Vec<f64>,
+    /// The part that it belongs to, where that is off.
+    off: Option<String>,
 }
 
 impl<const R: usize> Levels<R> {
@@ -98,10 +101,10 @@ impl<const R: usize> Levels<R> {
     ///
     /// # Errors
     /// [`ModelError::UnknownName`] with the nearest label, or for a combination that does not
-    /// exist.
+    /// exist; [`ModelError::PartOff`] for a family of a part that is off.
     #[allow(clippy::needless_pass_by_value, reason = "labels are written in place")]
     pub fn get(&self, key: impl Key<R>) -> Result<f64, ModelError> {
-        Ok(self.0.values[self.0.family.index_of(&key.labels())?])
+        Ok(self.0.values[self.0.index_of(&key.labels())?])
     }
     /// Labels and value of every element.
     pub fn iter(&self) -> impl Iterator<Item = ([String; R], f64)> + '_ {
@@ -119,7 +122,7 @@ impl<const R: usize, K: Key<R>> Index<K> for Levels<R> {
     /// # Panics
     /// If there is no element with these labels; [`get`](Levels::get) returns an error instead.
     fn index(&self, key: K) -> &f64 {
-        match self.0.family.index_of(&key.labels()) {
+        match self.0.index_of(&key.labels()) {
             Ok(index) => &self.0.values[index],
             Err(error) => panic!("{}: {error}", self.0.family.name()),
         }
@@ -137,7 +140,7 @@ impl<const R: usize> VariableLevels<R> {
     /// As [`Levels::get`].
     #[allow(clippy::needless_pass_by_value, reason = "labels are written in place")]
     pub fn marginal(&self, key: impl Key<R>) -> Result<f64, ModelError> {
-        Ok(self.0.0.marginals[self.0.0.family.index_of(&key.labels())?])
+        Ok(self.0.0.marginals[self.0.0.index_of(&key.labels())?])
     }
     /// All marginals in the order of the elements.
     pub fn marginals(&self) -> &[f64] {
@@ -156,6 +159,31 @@ impl Numbers {
     /// The single value of a family without index sets; 0 if its condition does not hold.
     pub fn single(&self) -> f64 {
         self.values.first().copied().unwrap_or(0.0)
+    }
+
+    /// The single value of a family without index sets, `None` if its part is off.
+    pub fn single_if_on(&self) -> Option<f64> {
+        self.off.is_none().then(|| self.single())
+    }
+
+    /// A family of a part that is off.
+    fn off(name: &str, part: &str) -> Arc<Self> {
+        let family = Family::of_table(name, &[]);
+        Arc::new(Numbers {
+            family,
+            values: Vec::new(),
+            marginals: Vec::new(),
+            off: Some(part.to_owned()),
+        })
+    }
+
+    fn index_of(&self, labels: &[&str]) -> Result<usize, ModelError> {
+        match &self.off {
+            None => self.family.index_of(labels),
+            Some(part) => {
+                Err(ModelError::PartOff { name: self.family.name().to_owned(), part: part.clone() })
+            }
+        }
     }
 }
 
@@ -177,6 +205,31 @@ pub fn viewed<const N: usize>(
     tables: &[ViewedTable<'_>],
 ) -> Result<[Arc<Numbers>; N], ModelError> {
     let numbers = all_numbers(model, solution, tables)?;
+    Ok(numbers.try_into().unwrap_or_else(|_| unreachable!("the model was checked")))
+}
+
+/// The same of a model with parts. `apart` are the families and tables of parts in order: place
+/// among all, name and part.
+///
+/// # Errors
+/// As [`viewed`].
+#[doc(hidden)]
+pub fn viewed_with_parts<const N: usize>(
+    model: &dyn PlainModel,
+    solution: &Solution,
+    tables: &[ViewedTable<'_>],
+    (parts, apart): (&Parts, &[(usize, &str, usize)]),
+) -> Result<[Arc<Numbers>; N], ModelError> {
+    let off: Vec<_> = apart.iter().filter(|(.., part)| !parts.is_on(*part)).collect();
+    let tables = tables.iter().enumerate().filter(|(k, _)| {
+        let place = N - tables.len() + k;
+        !off.iter().any(|(absent, ..)| *absent == place)
+    });
+    let tables: Vec<ViewedTable<'_>> = tables.map(|(_, table)| *table).collect();
+    let mut numbers = all_numbers(model, solution, &tables)?;
+    for &&(place, name, part) in &off {
+        numbers.insert(place, Numbers::off(name, parts.name(part)));
+    }
     Ok(numbers.try_into().unwrap_or_else(|_| unreachable!("the model was checked")))
 }
 
@@ -210,26 +263,30 @@ fn numbers(family: &Family, all: &[f64], marginals: &[f64]) -> Arc<Numbers> {
     let range = family.offset()..family.offset() + family.len();
     let values = all[range.clone()].to_vec();
     let marginals = marginals.get(range).unwrap_or_default().to_vec();
-    Arc::new(Numbers { family: family.clone(), values, marginals })
+    Arc::new(Numbers { family: family.clone(), values, marginals, off: None })
 }
 
-/// A start at which lifted definitions hold: each family of `lifted`, given as variable family and
-/// equation family, is moved to the value of its expression, in order. Values that are not finite
+/// A start at which lifted definitions hold: each family of `lifted`, given by the entries of the
+/// variable family and of the equation family, is moved to the value of its expression, in order. Values that are not finite
 /// are left alone.
 #[doc(hidden)]
 pub fn start_of_lifted(model: &dyn PlainModel, lifted: &[(usize, usize)]) -> Vec<f64> {
     let shape = model.plain_shape();
     let mut start = shape.start().to_vec();
     let parameters = constants(shape.parameter_values());
-    for &(variable, equation) in lifted {
+    for &(variable, _) in lifted {
         let z = constants(&start);
         let definitions = plain_definitions(model, &z, &parameters);
         let read = Reader::lanes(&z, &definitions, &parameters);
-        let family = &shape.variables()[variable];
-        for index in 0..family.len() {
+        let Some(family) = shape.variables().iter().find(|family| family.entry() == variable)
+        else {
+            continue;
+        };
+        for j in family.offset()..family.offset() + family.len() {
             // The row is v − expression.
-            let j = family.offset() + index;
-            let expression = start[j] - model.plain_row(equation, index, &read).into_scalar();
+            let Some(row) = shape.row_of_variable(j).map(|row| shape.row(row)) else { continue };
+            let row = model.plain_row(row.family, row.index, &read).into_scalar();
+            let expression = start[j] - row;
             if expression.is_finite() {
                 start[j] = expression;
             }

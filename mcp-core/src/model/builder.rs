@@ -60,6 +60,21 @@ macro_rules! describe {
     };
 }
 
+macro_rules! entered {
+    ($($Declaration:ident)*) => { $(
+        impl $Declaration {
+            /// The number that stands for the family in calls of the model.
+            #[must_use]
+            pub(crate) fn entered(mut self, entry: usize) -> Self {
+                self.family.entry = Some(entry);
+                self
+            }
+        }
+    )* };
+}
+
+entered!(Variable Equation Definition);
+
 /// A family of variables: free and starting at 0 unless said otherwise.
 #[derive(Clone, Debug)]
 pub struct Variable {
@@ -72,6 +87,10 @@ pub struct Variable {
 describe!(Variable, "One variable for each combination of elements of these sets.");
 
 impl Variable {
+    /// Name of element `index` of those that exist.
+    pub(crate) fn element_name(&self, index: usize) -> String {
+        self.family.element_name(index)
+    }
     /// A single free variable; see [`over`](Self::over).
     pub fn new(name: impl Into<String>) -> Self {
         Variable {
@@ -227,6 +246,15 @@ impl ShapeBuilder {
         self
     }
 
+    /// Gives the equation or definition family of this name another entry.
+    pub(crate) fn enter(&mut self, name: &str, entry: usize) {
+        let equations = self.equations.iter_mut().map(|equation| &mut equation.family);
+        let definitions = self.definitions.iter_mut().map(|definition| &mut definition.family);
+        if let Some(family) = equations.chain(definitions).find(|family| family.name == name) {
+            family.entry = Some(entry);
+        }
+    }
+
     /// Checks names, sizes, bounds, starts, parameters and pairs.
     ///
     /// # Errors
@@ -296,11 +324,12 @@ pub(super) fn name_among(families: &[Family], k: usize) -> String {
     family.element_name(index)
 }
 
-/// Gives every family its offset.
+/// Gives every family its offset, and its entry unless it has one.
 fn number<'a>(families: impl Iterator<Item = &'a mut Family>) {
     let mut offset = 0;
-    for family in families {
+    for (place, family) in families.enumerate() {
         family.offset = offset;
+        family.entry.get_or_insert(place);
         offset += family.len;
     }
 }

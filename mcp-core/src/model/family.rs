@@ -52,6 +52,8 @@ pub struct Family {
     pub(super) name: String,
     pub(super) sets: Vec<Set>,
     pub(super) offset: usize,
+    /// Number under which the model computes the elements; chosen when the shape is built.
+    pub(super) entry: Option<usize>,
     pub(super) len: usize,
     /// Combinations of the sets' elements, `usize::MAX` if they are too many to count.
     pub(super) combinations: usize,
@@ -66,9 +68,9 @@ pub struct Family {
 impl Family {
     pub(super) fn new(name: String) -> Self {
         let (about, unit) = (String::new(), String::new());
-        let (sets, elements, is_labelled) = (Vec::new(), None, false);
+        let (sets, elements, entry, is_labelled) = (Vec::new(), None, None, false);
         let (offset, len, combinations) = (0, 1, 1);
-        Family { name, sets, offset, len, combinations, elements, is_labelled, about, unit }
+        Family { name, sets, offset, entry, len, combinations, elements, is_labelled, about, unit }
     }
 
     /// The family of element `k` of all elements of the families, and its index there.
@@ -142,6 +144,12 @@ impl Family {
     /// Number of the first element among all of its kind.
     pub fn offset(&self) -> usize {
         self.offset
+    }
+    /// The number that stands for the family in calls of [`Model::row`](crate::Model::row),
+    /// [`def`](crate::Model::def) and [`report`](crate::Model::report): its place in the order of
+    /// declaration, unless parts of a model are off or add terms to it.
+    pub fn entry(&self) -> usize {
+        self.entry.unwrap_or_default()
     }
     /// Number of elements that exist.
     pub fn len(&self) -> usize {

@@ -77,8 +77,9 @@ pub trait Model {
     /// Families, names, bounds, starts, pairs.
     fn shape(&self) -> &Shape;
 
-    /// `F` of one equation: element `index` of equation family number `family`, both counted from
-    /// 0 in the order of declaration. A point outside the domain of `F` shows itself as a NaN.
+    /// `F` of one equation: element `index` of the equation family with the
+    /// [entry](Family::entry) `family`, both counted from 0 in the order of declaration. A point
+    /// outside the domain of `F` shows itself as a NaN.
     fn row<D: Scalar>(&self, family: usize, index: usize, read: &Reader<'_, D>) -> Real<D>;
 
     /// One definition: a sub-expression that rows and later definitions read with

@@ -39,10 +39,10 @@ pub(crate) struct EquationFamily {
     pub(crate) pairs: Vec<usize>,
 }
 
-/// A row by its equation family and its place in it.
+/// A row as a model is asked for it: see [`Model::row`](crate::Model::row).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Row {
-    /// Number of the equation family.
+    /// [Entry](Family::entry) of the equation family.
     pub family: usize,
     /// Number of the row in the family.
     pub index: usize,
@@ -223,16 +223,22 @@ impl Shape {
         check_start(start, |j| self.variable_name(j))
     }
 
-    /// Family and index of row number `row`.
+    /// Row number `row` as the model is asked for it.
     pub fn row(&self, row: usize) -> Row {
-        let family =
-            self.structure.equations.partition_point(|e| e.family.offset + e.family.len <= row);
-        Row { family, index: row - self.structure.equations[family].family.offset }
+        let (equation, index) = self.equation_of(row);
+        Row { family: equation.family.entry(), index }
+    }
+    /// The equation family of row number `row`, and its place there.
+    fn equation_of(&self, row: usize) -> (&EquationFamily, usize) {
+        let equations = &self.structure.equations;
+        let equation =
+            &equations[equations.partition_point(|e| e.family.offset + e.family.len <= row)];
+        (equation, row - equation.family.offset)
     }
     /// The variable that row number `row` is paired with.
     pub fn variable_of_row(&self, row: usize) -> usize {
-        let Row { family, index } = self.row(row);
-        self.structure.equations[family].pairs[index]
+        let (equation, index) = self.equation_of(row);
+        equation.pairs[index]
     }
     /// The row paired with variable `i`; `None` for a fixed variable without equation.
     pub fn row_of_variable(&self, i: usize) -> Option<usize> {
@@ -247,8 +253,8 @@ impl Shape {
     pub fn equation_name(&self, i: usize) -> String {
         match self.structure.row_of[i] {
             Some(row) => {
-                let Row { family, index } = self.row(row);
-                self.structure.equations[family].family.element_name(index)
+                let (equation, index) = self.equation_of(row);
+                equation.family.element_name(index)
             }
             None => format!("(no equation: {} is fixed)", self.variable_name(i)),
         }

@@ -121,6 +121,34 @@ fn for_each_named(
 }
 
 impl Shape {
+    /// Takes over, by name, bounds, starts and parameters in which `before` differs from the shape as
+    /// which it was `built`. Bounds in which this shape differs from `built` stay as they are.
+    ///
+    /// # Errors
+    /// As [`set_bounds`](Self::set_bounds).
+    pub(crate) fn take_changes(&mut self, built: &Shape, before: &Shape) -> Result<(), ModelError> {
+        let [mut lower, mut upper] =
+            [self.bounds().lower(), self.bounds().upper()].map(<[f64]>::to_vec);
+        let mut start = self.start().to_vec();
+        for (i, j) in common(self.variables(), before.variables()) {
+            let bounds =
+                [built, before].map(|shape| (shape.bounds().lower()[j], shape.bounds().upper()[j]));
+            if (lower[i], upper[i]) == bounds[0] {
+                (lower[i], upper[i]) = bounds[1];
+            }
+            if built.start()[j] != before.start()[j] {
+                start[i] = before.start()[j];
+            }
+        }
+        for (i, j) in common(self.parameters(), before.parameters()) {
+            if built.parameter_values()[j] != before.parameter_values()[j] {
+                self.parameter_values[i] = before.parameter_values()[j];
+            }
+        }
+        self.set_bounds(&lower, &upper)?;
+        self.set_start(&start)
+    }
+
     /// Whether a solution's levels are those of a model with the same variables and parameters:
     /// same names, same sets.
     pub(crate) fn check_levels_of(&self, solution: &Solution) -> Result<(), ModelError> {
@@ -142,6 +170,15 @@ impl Shape {
         }
         Err(ModelError::Length { what: format!("{what} of the solution"), expected, found })
     }
+}
+
+/// Elements of families of the same name: their numbers here and there.
+fn common(own: &[Family], others: &[Family]) -> Vec<(usize, usize)> {
+    let of_same_name = |own: &Family| {
+        let other = others.iter().find(|other| other.has_elements_of(own))?;
+        Some((own.offset()..own.offset() + own.len()).zip(other.offset()..))
+    };
+    own.iter().filter_map(of_same_name).flatten().collect()
 }
 
 fn same_families(own: &[Family], others: &[Family]) -> Result<(), ModelError> {

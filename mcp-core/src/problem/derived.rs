@@ -49,8 +49,8 @@ impl Derived {
         let definitions = plain_definitions(model, &z, &parameters);
         let read = Reader::lanes(&z, &definitions, &parameters);
         let mut reports = Vec::new();
-        for (k, family) in shape.reports().iter().enumerate() {
-            let report = |index| model.plain_report(k, index, &read).into_scalar();
+        for family in shape.reports() {
+            let report = |index| model.plain_report(family.entry(), index, &read).into_scalar();
             reports.extend((0..family.len()).map(report));
         }
         let definitions = definitions.into_iter().map(Real::into_scalar).collect();
@@ -79,9 +79,9 @@ pub(super) fn definitions<D: Scalar>(
     parameters: &[Real<D>],
 ) -> Vec<Real<D>> {
     let mut definitions: Vec<Real<D>> = Vec::with_capacity(shape.definition_count());
-    for (k, family) in shape.definitions().iter().enumerate() {
+    for family in shape.definitions() {
         for index in 0..family.len() {
-            let value = def(k, index, &Reader::lanes(z, &definitions, parameters));
+            let value = def(family.entry(), index, &Reader::lanes(z, &definitions, parameters));
             definitions.push(value);
         }
     }

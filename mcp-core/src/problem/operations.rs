@@ -2,9 +2,9 @@
 
 use super::AdProblem;
 use super::ad::lanes_for;
-use super::record::{all_rows, constants, record_rows};
+use super::record::{all_rows, block, constants, record_rows};
 use super::rows::{Kind, RowsIn};
-use crate::model::{Family, Model, Reader, Row};
+use crate::model::{Model, Reader, Row};
 use crate::scalar::{Counted, Jet, Real, Scalar, Tally};
 
 /// The counting scalar with one tangent.
@@ -45,8 +45,8 @@ impl<M: Model> AdProblem<M> {
             return Ok(in_lanes(value, tally.counts().total(), shape.n(), lanes_for(M::WHOLE)));
         }
         let recorded = record_rows(model, shape, &[])?;
-        let rows = all_rows(shape.equations().map(Family::len));
-        let definitions = all_rows(shape.definitions().iter().map(Family::len));
+        let rows = all_rows(shape.equations().map(block));
+        let definitions = all_rows(shape.definitions().iter().map(block));
         let all: Vec<(Kind, Row)> = definitions
             .map(|row| (Kind::Definition, row))
             .chain(rows.map(|row| (Kind::Equation, row)))

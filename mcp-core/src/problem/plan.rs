@@ -1,7 +1,7 @@
 //! [`Plan`]: who reads what, and where derivatives go.
 
 use super::Pattern;
-use super::record::{Recorded, RowReads, all_rows, small};
+use super::record::{Recorded, RowReads, all_rows, block, small};
 use crate::model::{Row, Shape};
 use std::ops::Range;
 
@@ -17,10 +17,10 @@ pub(super) struct RowPlan {
     pub(super) targets: Range<usize>,
 }
 
-/// Rows of a kind: how many each family has, and where the ranges of each row end.
+/// Rows of a kind: entry and length of each family, and where the ranges of each row end.
 #[derive(Debug, Default)]
 pub(super) struct Sequence {
-    pub(super) lengths: Vec<usize>,
+    pub(super) blocks: Vec<(usize, usize)>,
     /// Where the ranges of the first row start.
     pub(super) start: [u32; 3],
     pub(super) ends: Vec<[u32; 3]>,
@@ -30,7 +30,7 @@ impl Sequence {
     /// All rows in the order of their numbers.
     pub(super) fn rows(&self) -> impl Iterator<Item = RowPlan> + '_ {
         let starts = std::iter::once(&self.start).chain(&self.ends);
-        let rows = all_rows(self.lengths.iter().copied());
+        let rows = all_rows(self.blocks.iter().copied());
         rows.zip(starts.zip(&self.ends)).map(|(row, (start, end))| {
             let range = |k: usize| start[k] as usize..end[k] as usize;
             RowPlan { row, variables: range(0), definitions: range(1), targets: range(2) }
@@ -66,7 +66,7 @@ impl Plan {
         plan.definitions_read.reserve_exact(of_rows[1] + of_definitions[1]);
         plan.targets.reserve(of_rows[0] + of_definitions[0]);
         plan.equations.ends.reserve_exact(recorded.rows.len());
-        plan.definitions.lengths = shape.definitions().iter().map(crate::Family::len).collect();
+        plan.definitions.blocks = shape.definitions().iter().map(block).collect();
         for (k, support) in supports.iter().enumerate() {
             let place = |j: u32| support.binary_search(&j).expect("in the support");
             let ends = plan.row(recorded.definitions.row(k), supports, place);
@@ -74,7 +74,7 @@ impl Plan {
             let start = plan.gradient_of.last().map_or(0, |range| range.end);
             plan.gradient_of.push(start..start + support.len());
         }
-        plan.equations.lengths = shape.equations().map(crate::Family::len).collect();
+        plan.equations.blocks = shape.equations().map(block).collect();
         plan.equations.start = plan.here();
         for number in 0..recorded.rows.len() {
             let i = plan.variable_of_row[number] as usize;

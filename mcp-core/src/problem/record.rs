@@ -3,7 +3,7 @@
 use super::Pattern;
 use super::rows::{Kind, RowsIn};
 use crate::error::ModelError;
-use crate::model::{Model, Point, Reader, Reads, Recorder, Row, Shape};
+use crate::model::{Family, Model, Point, Reader, Reads, Recorder, Row, Shape};
 use crate::scalar::{Real, Scalar, Trace};
 use std::cell::RefCell;
 
@@ -69,9 +69,14 @@ pub(super) fn small(k: usize) -> u32 {
     u32::try_from(k).expect("fewer than 2^32 structural nonzeros")
 }
 
-/// Rows of a kind in the order of their numbers.
-pub(super) fn all_rows(lengths: impl Iterator<Item = usize>) -> impl Iterator<Item = Row> {
-    lengths.enumerate().flat_map(|(family, len)| (0..len).map(move |index| Row { family, index }))
+/// Entry and length of a family.
+pub(super) fn block(family: &Family) -> (usize, usize) {
+    (family.entry(), family.len())
+}
+
+/// Rows of a kind in the order of their numbers, family by family.
+pub(super) fn all_rows(blocks: impl Iterator<Item = (usize, usize)>) -> impl Iterator<Item = Row> {
+    blocks.flat_map(|(family, len)| (0..len).map(move |index| Row { family, index }))
 }
 
 /// Runs every row once at the start of the model and notes what it reads, and what it reads `besides` by
@@ -181,12 +186,12 @@ fn for_each_row(
     let unknown = vec![f64::NAN; shape.definition_count()];
     let point = Point { z, definitions: &unknown, parameters: shape.parameter_values() };
     let mut recorder = Recorder { point, reads: RefCell::new(Reads::default()) };
-    for (k, row) in all_rows(shape.definitions().iter().map(crate::Family::len)).enumerate() {
+    for (k, row) in all_rows(shape.definitions().iter().map(block)).enumerate() {
         let number = Numbered::Definition(k);
         let run = |r: &Reader<'_, f64>| model.row_in(Kind::Definition, row, r);
         with(number, record(shape, &mut recorder, number, run)?)?;
     }
-    for (number, row) in all_rows(shape.equations().map(crate::Family::len)).enumerate() {
+    for (number, row) in all_rows(shape.equations().map(block)).enumerate() {
         let number = Numbered::Equation(number);
         let run = |r: &Reader<'_, f64>| model.row_in(Kind::Equation, row, r);
         with(number, record(shape, &mut recorder, number, run)?)?;

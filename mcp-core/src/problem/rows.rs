@@ -216,7 +216,7 @@ impl Rows {
         if f.len() > self.plan.variable_of_row.len() {
             f.fill(0.0);
         }
-        let rows_of_families = all_rows(self.plan.equations.lengths.iter().copied());
+        let rows_of_families = all_rows(self.plan.equations.blocks.iter().copied());
         for (row, &i) in rows_of_families.zip(&self.plan.variable_of_row) {
             f[i as usize] = rows.row_in(Kind::Equation, row, &read).0;
         }

@@ -85,16 +85,27 @@ impl Change {
     }
 }
 
+/// One number that only one of two answers has.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Lone {
+    /// Its name, such as `q[coal]`.
+    pub name: String,
+    /// Its value.
+    pub value: f64,
+    /// Unit of measure, possibly empty.
+    pub unit: String,
+}
+
 /// What [`compare`] found. `Display` is a table of what changed, the largest changes in percent first,
-/// at most 50.
+/// then of what only one answer has, with `-` where the other has nothing; at most 50 lines.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Changes {
     /// All numbers that both answers have, the largest change in percent first.
     pub rows: Vec<Change>,
-    /// Names that only the first answer has.
-    pub only_before: Vec<String>,
-    /// Names that only the second has.
-    pub only_after: Vec<String>,
+    /// Numbers that only the first answer has.
+    pub only_before: Vec<Lone>,
+    /// Numbers that only the second has.
+    pub only_after: Vec<Lone>,
 }
 
 /// Compares two answers number by number: variables, and definitions and reports where both have
@@ -141,19 +152,20 @@ pub fn compare(before: &impl Outcome, after: &impl Outcome) -> Changes {
         *size = size.max(value.abs());
     }
     let (mut rows, mut only_before) = (Vec::new(), Vec::new());
-    for Number { name, family, value: before, unit, .. } in &first {
+    for number in &first {
+        let Number { name, family, value: before, unit, .. } = number;
         match levels.get(name.as_str()) {
             Some(&after) => {
                 let (name, unit, size) = (name.clone(), unit.clone(), sizes[family.as_str()]);
                 rows.push(Change { name, before: *before, after, unit, size });
             }
-            None => only_before.push(name.clone()),
+            None => only_before.push(number.alone()),
         }
     }
     let names: std::collections::HashSet<&str> =
         first.iter().map(|number| number.name.as_str()).collect();
     let is_new = |number: &&Number| !names.contains(number.name.as_str());
-    let only_after = second.iter().filter(is_new).map(|number| number.name.clone()).collect();
+    let only_after = second.iter().filter(is_new).map(Number::alone).collect();
     rows.sort_by(|a, b| b.percent().abs().total_cmp(&a.percent().abs()));
     Changes { rows, only_before, only_after }
 }
@@ -164,6 +176,12 @@ struct Number {
     value: f64,
     unit: String,
     is_variable: bool,
+}
+
+impl Number {
+    fn alone(&self) -> Lone {
+        Lone { name: self.name.clone(), value: self.value, unit: self.unit.clone() }
+    }
 }
 
 /// All numbers of an answer with their names.
@@ -196,7 +214,17 @@ impl Changes {
         })
     }
 
-    /// Writes all rows as CSV: `name, before, after, change, percent, unit`, with every digit.
+    /// What only one answer has: its name, its unit, and `texts` of before and after, `none` where
+    /// there is nothing.
+    fn alone(&self, text: fn(f64) -> String, none: &str) -> Vec<(&Lone, [String; 2])> {
+        let none = || none.to_owned();
+        let before = self.only_before.iter().map(|lone| (lone, [text(lone.value), none()]));
+        let after = self.only_after.iter().map(|lone| (lone, [none(), text(lone.value)]));
+        before.chain(after).collect()
+    }
+
+    /// Writes all rows as CSV: `name, before, after, change, percent, unit`, with every digit; cells of
+    /// what only one answer has are empty.
     ///
     /// # Errors
     /// [`ReportError`](crate::ReportError) of the writer.
@@ -210,6 +238,9 @@ impl Changes {
             let [before, after, change, percent] = &numbers;
             csv.write_record([&row.name, before, after, change, percent, &row.unit])?;
         }
+        for (Lone { name, unit, .. }, [before, after]) in self.alone(exact, "") {
+            csv.write_record([name, &before, &after, "", "", unit])?;
+        }
         Ok(csv.flush()?)
     }
 }
@@ -217,7 +248,10 @@ impl Changes {
 impl fmt::Display for Changes {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let changed: Vec<&Change> = self.rows.iter().filter(|row| row.is_change()).collect();
-        let units = changed.iter().any(|row| !row.unit.is_empty());
+        let alone = self.alone(number, "-");
+        let mut units = changed.iter().map(|row| &row.unit);
+        let units = units.any(|unit| !unit.is_empty())
+            || alone.iter().any(|(lone, _)| !lone.unit.is_empty());
         let mut grid = Grid::with_shown([
             ("name", Align::Left, true),
             ("before", Align::Point, true),
@@ -231,18 +265,20 @@ impl fmt::Display for Changes {
             let [before, after, change] = [row.before, row.after, row.absolute()].map(number);
             grid.row([row.name.clone(), before, after, change, percent, row.unit.clone()]);
         }
-        if changed.len() > ROWS {
-            grid.note(format!("… and {} more", changed.len() - ROWS));
+        for (Lone { name, unit, .. }, [before, after]) in
+            alone.iter().take(ROWS.saturating_sub(changed.len()))
+        {
+            let none = || "-".to_owned();
+            let [name, before, after, unit] = [name, before, after, unit].map(String::clone);
+            grid.row([name, before, after, none(), none(), unit]);
+        }
+        let lines = changed.len() + alone.len();
+        if lines > ROWS {
+            grid.note(format!("… and {} more", lines - ROWS));
         }
         let unchanged = self.rows.len() - changed.len();
         if unchanged > 0 {
             grid.note(format!("unchanged: {unchanged}"));
-        }
-        for (what, names) in [("only before", &self.only_before), ("only after", &self.only_after)]
-        {
-            if !names.is_empty() {
-                grid.note(format!("{what}: {}", names.join(", ")));
-            }
         }
         grid.fmt(f)
     }

@@ -11,7 +11,7 @@ mod plot;
 mod sweep;
 mod sweep_table;
 
-pub use compare::{Change, Changes, Outcome, compare};
+pub use compare::{Change, Changes, Lone, Outcome, compare};
 #[cfg(feature = "plots")]
 pub use plot::{COLORS, PlotError};
 pub use sweep::{StateChange, Sweep, SweepPoint, sweep, sweep_with};

@@ -4,6 +4,7 @@ use super::parse::Head;
 use super::types::{array, is_ident, is_real, literal};
 use crate::errors::Errors;
 use crate::messages;
+use crate::type_name::type_name;
 use quote::{ToTokens, quote};
 use syn::ext::IdentExt;
 use syn::{
@@ -101,21 +102,11 @@ fn check_qualifiers(signature: &Signature, errors: &mut Errors) {
 /// `kojima_shindo` becomes `KojimaShindo`; an underscore stays between digits.
 fn model_name(function: &Ident, errors: &mut Errors) -> Option<Ident> {
     let text = function.unraw().to_string();
-    let mut name = String::new();
-    for word in text.split('_').filter(|word| !word.is_empty()) {
-        let (before, after) = (name.chars().next_back(), word.chars().next());
-        if before.is_some_and(char::is_numeric) && after.is_some_and(char::is_numeric) {
-            name.push('_');
-        }
-        name.extend(after.into_iter().flat_map(char::to_uppercase));
-        name.extend(word.chars().skip(1));
+    let model = type_name(function);
+    if model.is_none() {
+        errors.at(function, messages::no_model_name(&text));
     }
-    if let Ok(mut model) = syn::parse_str::<Ident>(&name) {
-        model.set_span(function.span());
-        return Some(model);
-    }
-    errors.at(function, messages::no_model_name(&text));
-    None
+    model
 }
 
 /// The type parameter `D` of `<D: Scalar>`.

@@ -1,7 +1,8 @@
 //! Messages of the parser of `mcp!`: what stands where something else belongs.
 
 /// The words an item begins with.
-pub(crate) const ITEMS: [&str; 8] = ["data", "param", "var", "fix", "def", "eq", "report", "part"];
+pub(crate) const ITEMS: [&str; 9] =
+    ["data", "param", "var", "fix", "def", "eq", "report", "part", "adds"];
 
 /// The kinds of fields that are no types.
 pub(crate) const KINDS: [&str; 5] = ["Set", "Ordered", "Subset", "Pairs", "Map"];
@@ -14,7 +15,7 @@ pub(crate) const AFTER_MODEL: &str = "nothing may follow the model: write one `m
 
 /// An item begins with a token that is no word.
 pub(crate) const ITEM: &str =
-    "expected one of `data`, `param`, `var`, `fix`, `def`, `eq`, `report`";
+    "expected one of `data`, `param`, `var`, `fix`, `def`, `eq`, `report`, `part`";
 
 /// M01: an item begins with an unknown word.
 pub(crate) fn unknown_item(word: &str, nearest: Option<&str>) -> String {
@@ -24,8 +25,18 @@ pub(crate) fn unknown_item(word: &str, nearest: Option<&str>) -> String {
     }
 }
 
-/// `part` stands in a model.
-pub(crate) const PART: &str = "`part` is not available yet: write its items into the model";
+/// A `part` stands in a part.
+pub(crate) const PART_INSIDE: &str =
+    "a part has no parts: write it beside this one, with `requires`";
+
+/// `adds` stands outside of a part.
+pub(crate) const ADDS_OUTSIDE: &str =
+    "only a part adds to what is declared: `part tax { adds profit[i]: rate[i]; }`";
+
+/// No block stands behind the head of a part.
+pub(crate) fn part_block(name: &str) -> String {
+    format!("expected the items of the part: `part {name} {{ … }}`")
+}
 
 /// Attributes stand before the end of the block.
 pub(crate) const NO_ITEM: &str = "expected an item behind its documentation";

@@ -16,6 +16,8 @@ pub(super) struct Model {
     pub(super) defs: Vec<Def>,
     pub(super) eqs: Vec<Eq>,
     pub(super) reports: Vec<Report>,
+    pub(super) parts: Vec<Part>,
+    pub(super) adds: Vec<Adds>,
     pub(super) lost: Lost,
 }
 
@@ -45,6 +47,14 @@ impl Model {
         self.reports.retain(|report| is_new(&report.name));
     }
 
+    /// The equation or definition of this name: its indices, and the part that it belongs to.
+    pub(super) fn target(&self, name: &Ident) -> Option<(&[Index], Option<usize>)> {
+        let eqs = self.eqs.iter().map(|eq| (&eq.name, &eq.over, eq.part));
+        let defs = self.defs.iter().map(|def| (&def.name, &def.over, def.part));
+        let mut targets = eqs.chain(defs);
+        targets.find(|(own, ..)| *own == name).map(|(_, over, part)| (&over[..], part))
+    }
+
     /// Every expression of the self.
     pub(super) fn expressions(&self) -> impl Iterator<Item = &TokenStream> {
         let params = self.params.iter().filter_map(|param| param.value.as_ref());
@@ -55,8 +65,9 @@ impl Model {
         let conditions = self.eqs.iter().flat_map(|eq| eq.condition.iter().chain(&eq.pair));
         let reports = self.reports.iter().map(|report| &report.expression);
         let fixes = self.fixes.iter().map(|fix| &fix.value);
+        let adds = self.adds.iter().map(|adds| &adds.expression);
         let values = params.chain(starts).chain(bounds).chain(fixes);
-        values.chain(defs).chain(bodies).chain(conditions).chain(reports)
+        values.chain(defs).chain(bodies).chain(conditions).chain(reports).chain(adds)
     }
 
     /// Every index of every header.
@@ -67,7 +78,8 @@ impl Model {
         let defs = self.defs.iter().flat_map(|def| &def.over);
         let eqs = self.eqs.iter().flat_map(|eq| &eq.over);
         let reports = self.reports.iter().flat_map(|report| &report.over);
-        params.chain(vars).chain(fixes).chain(defs).chain(eqs).chain(reports)
+        let adds = self.adds.iter().flat_map(Adds::over);
+        params.chain(vars).chain(fixes).chain(defs).chain(eqs).chain(reports).chain(adds)
     }
 }
 
@@ -78,6 +90,7 @@ pub(super) struct Field {
     /// Sets it is indexed by; empty for sets, maps and plain values.
     pub(super) over: Vec<Ident>,
     pub(super) kind: FieldKind,
+    pub(super) part: Option<usize>,
 }
 
 /// What stands after the colon of a field.
@@ -139,6 +152,7 @@ pub(super) struct Param {
     pub(super) over: Vec<Index>,
     /// Without it, the value comes with the data.
     pub(super) value: Option<TokenStream>,
+    pub(super) part: Option<usize>,
 }
 
 /// `var name[i in set] >= lower start expr if condition;`
@@ -149,6 +163,7 @@ pub(super) struct Var {
     pub(super) bounds: Bounds,
     pub(super) start: Option<TokenStream>,
     pub(super) condition: Option<TokenStream>,
+    pub(super) part: Option<usize>,
 }
 
 /// Bounds in the header of a variable.
@@ -197,6 +212,7 @@ pub(super) struct Fix {
     pub(super) variable: Ident,
     pub(super) places: Vec<Place>,
     pub(super) value: TokenStream,
+    pub(super) part: Option<usize>,
 }
 
 /// `def name[i in set]: expr;` or `def name[i in set] lifted: expr;`
@@ -207,6 +223,7 @@ pub(super) struct Def {
     /// A variable of its own, with the definition as its equation.
     pub(super) lifted: bool,
     pub(super) expression: TokenStream,
+    pub(super) part: Option<usize>,
 }
 
 /// `eq name[i in set] if condition: body complements variable[i];`
@@ -221,6 +238,7 @@ pub(super) struct Eq {
     pub(super) pair: Vec<TokenStream>,
     /// The closing bracket, or the variable without one: where a missing index is shown.
     pub(super) pair_end: Span,
+    pub(super) part: Option<usize>,
 }
 
 /// What an equation says.
@@ -266,4 +284,37 @@ pub(super) struct Report {
     pub(super) name: Ident,
     pub(super) over: Vec<Index>,
     pub(super) expression: TokenStream,
+    pub(super) part: Option<usize>,
+}
+
+/// `part name requires a, b excludes c { … }`; its items stand among those of the model, with its
+/// place in the list of parts.
+pub(super) struct Part {
+    pub(super) attributes: Vec<Attribute>,
+    pub(super) name: Ident,
+    pub(super) requires: Vec<Ident>,
+    pub(super) excludes: Vec<Ident>,
+}
+
+/// `adds target[i in set]: expr;` in a part.
+pub(super) struct Adds {
+    pub(super) target: Ident,
+    /// What stands in the brackets after the target.
+    pub(super) places: Vec<Place>,
+    pub(super) expression: TokenStream,
+    pub(super) part: usize,
+}
+
+impl Adds {
+    /// The indices that run.
+    pub(super) fn over(&self) -> Vec<&Index> {
+        self.places.iter().filter_map(Place::index).collect()
+    }
+    /// The expressions that pick one element.
+    pub(super) fn picks(&self) -> impl Iterator<Item = &TokenStream> {
+        self.places.iter().filter_map(|place| match place {
+            Place::One(tokens) => Some(tokens),
+            Place::Every(_) => None,
+        })
+    }
 }

@@ -7,6 +7,7 @@ mod headers;
 mod indices;
 mod locals;
 mod pairs;
+mod parts;
 mod reads;
 mod sums;
 
@@ -26,4 +27,5 @@ pub(super) fn model(model: &Model, names: &Names<'_>, errors: &mut Errors) {
         pairs::check(model, names, errors);
     }
     expressions::check(model, names, errors);
+    parts::check(model, names, errors);
 }

@@ -4,6 +4,7 @@ mod ast;
 mod check;
 mod expand;
 mod names;
+mod order;
 mod parse;
 mod rewrite;
 mod tokens;

@@ -1,6 +1,6 @@
 //! [`Names`]: everything that is declared, in one name space.
 
-use super::ast::{Def, Field, FieldKind, Index, Model, Param, Var};
+use super::ast::{Def, Field, FieldKind, Index, Model, Param, Part, Var};
 use crate::errors::Errors;
 use crate::messages::names as messages;
 use crate::nearest::nearest;
@@ -83,14 +83,23 @@ pub(super) struct Names<'a> {
     kinds: HashMap<String, Kind<'a>>,
     order: Vec<&'a Ident>,
     lost: HashSet<&'a str>,
+    /// The part that a name is declared in.
+    part_of: HashMap<String, usize>,
+    parts: &'a [Part],
 }
 
 impl<'a> Names<'a> {
     /// All names of the model; a name that is declared before is reported.
     pub(super) fn of(model: &'a Model, errors: &mut Errors) -> Self {
         let lost = model.lost.names.iter().map(String::as_str).collect();
-        let mut names = Names { kinds: HashMap::new(), order: Vec::new(), lost };
-        for (name, kind) in declared(model) {
+        let mut names = Names {
+            kinds: HashMap::new(),
+            order: Vec::new(),
+            lost,
+            part_of: HashMap::new(),
+            parts: &model.parts,
+        };
+        for (name, kind, part) in declared(model) {
             let word = name.to_string();
             if Self::is_reserved(&word) {
                 errors.at(name, messages::reserved(&word));
@@ -98,6 +107,7 @@ impl<'a> Names<'a> {
             if let Some(first) = names.kinds.get(&word) {
                 errors.at(name, messages::duplicate(&word, first.noun(), kind.noun()));
             } else {
+                names.part_of.extend(part.map(|part| (word.clone(), part)));
                 names.kinds.insert(word, kind);
                 names.order.push(name);
             }
@@ -113,6 +123,32 @@ impl<'a> Names<'a> {
     /// What the name stands for.
     pub(super) fn get(&self, name: &str) -> Option<Kind<'a>> {
         self.kinds.get(name).copied()
+    }
+
+    /// The part that a name is declared in, where `reader`, a part or the model itself, does not see
+    /// it: a part sees the model, itself and what it requires.
+    pub(super) fn hidden_in(&self, name: &str, reader: Option<usize>) -> Option<&'a Part> {
+        let owner = *self.part_of.get(name)?;
+        let sees = reader.is_some_and(|reader| self.with_required(reader).contains(&owner));
+        if sees { None } else { self.parts.get(owner) }
+    }
+
+    /// A part and all that it requires, directly or through others.
+    pub(super) fn with_required(&self, part: usize) -> Vec<usize> {
+        let mut all = vec![part];
+        let mut next = 0;
+        while let Some(part) = all.get(next).and_then(|&part| self.parts.get(part)) {
+            let required = part.requires.iter().filter_map(|name| self.part(name));
+            let new: Vec<usize> = required.filter(|part| !all.contains(part)).collect();
+            all.extend(new);
+            next += 1;
+        }
+        all
+    }
+
+    /// The place of the part of this name.
+    pub(super) fn part(&self, name: &Ident) -> Option<usize> {
+        self.parts.iter().position(|part| part.name == *name)
     }
 
     /// Whether the name may stand in an item that could not be read.
@@ -177,22 +213,22 @@ impl<'a> Names<'a> {
     }
 }
 
-/// Every declared name with what it stands for, in the order of the text.
-fn declared(model: &Model) -> Vec<(&Ident, Kind<'_>)> {
-    let mut all: Vec<(&Ident, Kind<'_>)> = Vec::new();
+/// Every declared name with what it stands for and its part, in the order of the text.
+fn declared(model: &Model) -> Vec<(&Ident, Kind<'_>, Option<usize>)> {
+    let mut all: Vec<(&Ident, Kind<'_>, Option<usize>)> = Vec::new();
     for field in &model.fields {
-        all.push((&field.name, Kind::Field(field)));
+        all.push((&field.name, Kind::Field(field), field.part));
         if let FieldKind::Labels(labels) = &field.kind {
-            all.extend(labels.iter().map(|label| (label, Kind::Label(&field.name))));
+            all.extend(labels.iter().map(|label| (label, Kind::Label(&field.name), field.part)));
         }
     }
-    all.extend(model.params.iter().map(|param| (&param.name, Kind::Param(param))));
-    all.extend(model.vars.iter().map(|var| (&var.name, Kind::Var(var))));
+    all.extend(model.params.iter().map(|param| (&param.name, Kind::Param(param), param.part)));
+    all.extend(model.vars.iter().map(|var| (&var.name, Kind::Var(var), var.part)));
     let defs = model.defs.iter().enumerate();
-    all.extend(defs.map(|(place, def)| (&def.name, Kind::Def(place, def))));
-    all.extend(model.eqs.iter().map(|eq| (&eq.name, Kind::Eq)));
-    all.extend(model.reports.iter().map(|report| (&report.name, Kind::Report)));
-    all.sort_by_key(|(name, _)| {
+    all.extend(defs.map(|(place, def)| (&def.name, Kind::Def(place, def), def.part)));
+    all.extend(model.eqs.iter().map(|eq| (&eq.name, Kind::Eq, eq.part)));
+    all.extend(model.reports.iter().map(|report| (&report.name, Kind::Report, report.part)));
+    all.sort_by_key(|(name, ..)| {
         let start = name.span().start();
         (start.line, start.column)
     });

@@ -9,11 +9,12 @@ mod items;
 mod split;
 mod variable;
 
-use super::ast::{FieldKind, Lost, Model};
+use super::ast::{FieldKind, Index, Lost, Model, Place};
 use super::names::is_type;
 use super::tokens::{is_punct, is_word, trees, word};
 use crate::errors::Errors;
 use crate::messages::grammar;
+use crate::nearest::nearest;
 use proc_macro2::{TokenStream, TokenTree};
 use std::collections::HashSet;
 use syn::parse::{ParseStream, Parser};
@@ -22,7 +23,8 @@ use syn::{Attribute, Ident};
 /// The model, with all items that could be read.
 pub(super) fn model(tokens: TokenStream, errors: &mut Errors) -> Option<Model> {
     let (mut model, body) = head.parse2(tokens).map_err(|error| errors.add(error)).ok()?;
-    split::items(&trees(body), &mut model, errors);
+    split::items(&trees(body), None, &mut model, errors);
+    find_indices_of_adds(&mut model);
     find_sizes(&mut model);
     Some(model)
 }
@@ -64,9 +66,41 @@ fn head(input: ParseStream<'_>) -> syn::Result<(Model, TokenStream)> {
         defs: Vec::new(),
         eqs: Vec::new(),
         reports: Vec::new(),
+        parts: Vec::new(),
+        adds: Vec::new(),
         lost: Lost::default(),
     };
     Ok((model, content))
+}
+
+/// A name in the brackets of `adds` is an index over the whole set of its target, unless it is a label
+/// known to the text, or nearly one.
+fn find_indices_of_adds(model: &mut Model) {
+    let mut all = std::mem::take(&mut model.adds);
+    for adds in &mut all {
+        let Some((over, _)) = model.target(&adds.target) else { continue };
+        for (place, of) in adds.places.iter_mut().zip(over) {
+            if let Place::One(tokens) = place
+                && let [tree] = &trees(tokens.clone())[..]
+                && let Some(name) = header::identifier(Some(tree))
+                && !is_label(model, &name, &of.set)
+            {
+                *place = Place::Every(Index { name, ends: None, set: of.set.clone() });
+            }
+        }
+    }
+    model.adds = all;
+}
+
+/// Whether the text knows this label of a set, or one like it.
+fn is_label(model: &Model, name: &Ident, set: &Ident) -> bool {
+    let labels = model.fields.iter().find(|field| field.name == *set).map(|field| &field.kind);
+    let Some(FieldKind::Labels(labels)) = labels else { return false };
+    let (word, labels) = (name.to_string(), labels.iter().map(ToString::to_string));
+    let labels: Vec<String> = labels.collect();
+    let labels: Vec<&str> = labels.iter().map(String::as_str).collect();
+    let near = || word.chars().count() > 2 && nearest(&word, &labels).is_some();
+    labels.contains(&word.as_str()) || near()
 }
 
 /// A `usize` that something is indexed by is a set.

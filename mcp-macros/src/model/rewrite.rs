@@ -169,13 +169,17 @@ fn offset_last(pieces: &mut Vec<TokenStream>, rank: usize) {
 
 /// Every place in an expression where a set of the data stands.
 pub(super) fn sets_in(names: &Names<'_>, tokens: &TokenStream) -> Vec<Ident> {
+    let mut sets = names_in(tokens);
+    sets.retain(|name| names.set(&name.to_string()).is_some());
+    sets
+}
+
+/// Every name in an expression that is no field, method or path, in the order of the text.
+pub(super) fn names_in(tokens: &TokenStream) -> Vec<Ident> {
     let tokens = trees(tokens.clone());
     let places = tokens.iter().enumerate().flat_map(|(k, token)| match token {
-        TokenTree::Group(group) => sets_in(names, &group.stream()),
-        TokenTree::Ident(name) if is_name(&tokens, k) => {
-            let is_set = names.set(&name.to_string()).is_some();
-            if is_set { vec![name.clone()] } else { Vec::new() }
-        }
+        TokenTree::Group(group) => names_in(&group.stream()),
+        TokenTree::Ident(name) if is_name(&tokens, k) => vec![name.clone()],
         _ => Vec::new(),
     });
     places.collect()

@@ -8,6 +8,7 @@ mod model_expansion;
 mod model_habits;
 mod model_names;
 mod model_pairs;
+mod model_parts;
 mod model_reads;
 mod model_texts;
 

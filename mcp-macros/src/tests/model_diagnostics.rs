@@ -35,22 +35,18 @@ fn unknown_items_are_answered_with_the_nearest() {
     assert_eq!(
         beside("constraint c: u;"),
         "2:1 there is no item `constraint`: expected one of `data`, `param`, `var`, \
-`fix`, `def`, `eq`, `report`"
+`fix`, `def`, `eq`, `report`, `part`"
     );
     assert_eq!(
         beside("= 5; 3;"),
-        "2:1 expected one of `data`, `param`, `var`, `fix`, `def`, `eq`, `report`\n\
-2:6 expected one of `data`, `param`, `var`, `fix`, `def`, `eq`, `report`"
+        "2:1 expected one of `data`, `param`, `var`, `fix`, `def`, `eq`, `report`, `part`\n\
+2:6 expected one of `data`, `param`, `var`, `fix`, `def`, `eq`, `report`, `part`"
     );
     assert_eq!(
         beside("date { a: Set }  vra y free;"),
         "2:1 there is no item `date`; did you mean `data`?\n\
 2:18 there is no item `vra`: expected one of `data`, `param`, `var`, `fix`, \
-`def`, `eq`, `report`"
-    );
-    assert_eq!(
-        beside("part co2 { var y free; } param a;"),
-        "2:1 `part` is not available yet: write its items into the model"
+`def`, `eq`, `report`, `part`"
     );
     assert_eq!(beside("/// nothing follows"), "2:1 expected an item behind its documentation");
 }

@@ -21,6 +21,12 @@ pub enum DataError {
         /// The variable.
         name: String,
     },
+    /// A part adds a term to a combination of indices for which the target has no row.
+    #[error("`adds {name}` names a row that does not exist: its condition does not hold")]
+    AddedToAbsent {
+        /// The equation or definition.
+        name: String,
+    },
     /// A set has no elements.
     #[error("{}set `{set}` is empty: give at least one label", at(.place.as_deref()))]
     EmptySet {

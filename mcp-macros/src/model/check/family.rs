@@ -24,16 +24,21 @@ pub(super) fn scope<'a>(over: impl IntoIterator<Item = &'a Index>, names: &Names
     scope
 }
 
-/// Every header of the model.
-pub(super) fn all(model: &Model) -> Vec<Vec<&Index>> {
-    let mut all: Vec<Vec<&Index>> = Vec::new();
-    all.extend(model.params.iter().map(|param| param.over.iter().collect()));
-    all.extend(model.vars.iter().map(|var| var.over.iter().collect()));
-    all.extend(model.fixes.iter().map(|fix| running(&fix.places)));
-    all.extend(model.defs.iter().map(|def| def.over.iter().collect()));
-    all.extend(model.eqs.iter().map(|eq| eq.over.iter().collect()));
-    all.extend(model.reports.iter().map(|report| report.over.iter().collect()));
+/// Every header of the model, with the part that it stands in.
+pub(super) fn all(model: &Model) -> Vec<(Vec<&Index>, Option<usize>)> {
+    let mut all: Vec<(Vec<&Index>, Option<usize>)> = Vec::new();
+    all.extend(model.params.iter().map(|param| (all_of(&param.over), param.part)));
+    all.extend(model.vars.iter().map(|var| (all_of(&var.over), var.part)));
+    all.extend(model.fixes.iter().map(|fix| (running(&fix.places), fix.part)));
+    all.extend(model.defs.iter().map(|def| (all_of(&def.over), def.part)));
+    all.extend(model.eqs.iter().map(|eq| (all_of(&eq.over), eq.part)));
+    all.extend(model.reports.iter().map(|report| (all_of(&report.over), report.part)));
+    all.extend(model.adds.iter().map(|adds| (adds.over(), Some(adds.part))));
     all
+}
+
+fn all_of(over: &[Index]) -> Vec<&Index> {
+    over.iter().collect()
 }
 
 /// The indices among the places of a `fix`.

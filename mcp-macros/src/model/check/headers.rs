@@ -4,7 +4,7 @@ use super::super::ast::{Field, FieldKind, Index, Model};
 use super::super::names::{Kind, Names};
 use super::family;
 use crate::errors::Errors;
-use crate::messages::names as messages;
+use crate::messages::{names as messages, parts};
 use syn::Ident;
 
 /// Most index sets of a family.
@@ -15,14 +15,14 @@ pub(super) fn check(model: &Model, names: &Names<'_>, errors: &mut Errors) {
     for field in &model.fields {
         check_field(field, names, errors);
     }
-    for header in family::all(model) {
-        check_header(&header, names, errors);
+    for (header, part) in family::all(model) {
+        check_header(&header, part, names, errors);
     }
 }
 
 fn check_field(field: &Field, names: &Names<'_>, errors: &mut Errors) {
     for set in field.over.iter().chain(field.kind.sets()) {
-        check_set(set, names, errors);
+        check_set(set, field.part, names, errors);
     }
     if let Some(seventh) = field.over.get(MOST_INDICES) {
         errors.at(seventh, messages::TOO_MANY_INDICES);
@@ -50,8 +50,12 @@ fn is_circular(field: &Field, names: &Names<'_>) -> bool {
     false
 }
 
-fn check_set(set: &Ident, names: &Names<'_>, errors: &mut Errors) {
+fn check_set(set: &Ident, part: Option<usize>, names: &Names<'_>, errors: &mut Errors) {
     let word = set.to_string();
+    if let Some(hidden) = names.hidden_in(&word, part) {
+        errors.at(set, parts::hidden(&word, &hidden.name.to_string(), part.is_some()));
+        return;
+    }
     if names.set(&word).is_some() || names.is_lost(&word) {
         return;
     }
@@ -63,7 +67,7 @@ fn check_set(set: &Ident, names: &Names<'_>, errors: &mut Errors) {
     errors.at(set, message);
 }
 
-fn check_header(header: &[&Index], names: &Names<'_>, errors: &mut Errors) {
+fn check_header(header: &[&Index], part: Option<usize>, names: &Names<'_>, errors: &mut Errors) {
     if let Some(seventh) = header.get(MOST_INDICES) {
         errors.at(&seventh.name, messages::TOO_MANY_INDICES);
     }
@@ -74,7 +78,7 @@ fn check_header(header: &[&Index], names: &Names<'_>, errors: &mut Errors) {
             check_index(name, &seen, names, errors);
             seen.push(name);
         }
-        check_set(&index.set, names, errors);
+        check_set(&index.set, part, names, errors);
         check_ends(index, names, errors);
     }
 }

@@ -1,6 +1,6 @@
 //! The brackets behind `complements` and `fix`.
 
-use super::super::ast::{Eq, FieldKind, Fix, Index, Place, Var};
+use super::super::ast::{Eq, FieldKind, Index, Place, Var};
 use super::super::names::{Kind, Names};
 use super::super::tokens::{group, is_punct, is_word, stream, text, trees, word};
 use crate::errors::Errors;
@@ -14,7 +14,7 @@ use syn::Ident;
 pub(super) fn check_pair(eq: &Eq, var: &Var, names: &Names<'_>, errors: &mut Errors) -> bool {
     let name = var.name.to_string();
     if eq.pair.len() != var.over.len() {
-        errors.at_span(eq.pair_end, rank(var, eq.pair.len()));
+        errors.at_span(eq.pair_end, rank(&var.name, &var.over, eq.pair.len()));
         return false;
     }
     let pieces: Vec<Vec<TokenTree>> = eq.pair.iter().cloned().map(trees).collect();
@@ -150,14 +150,19 @@ fn is_extreme(piece: &[TokenTree]) -> bool {
         && group(piece.get(3), Delimiter::Parenthesis).is_some()
 }
 
-/// Reports wrong places of a `fix`.
-pub(super) fn check_fix(fix: &Fix, var: &Var, names: &Names<'_>, errors: &mut Errors) {
-    let name = var.name.to_string();
-    if fix.places.len() != var.over.len() {
-        errors.at(&fix.variable, rank(var, fix.places.len()));
+/// Reports wrong places of a `fix`, or of what a part adds to: a family with these indices.
+pub(super) fn check_places(
+    places: &[Place],
+    (family, over): (&Ident, &[Index]),
+    names: &Names<'_>,
+    errors: &mut Errors,
+) {
+    let name = family.to_string();
+    if places.len() != over.len() {
+        errors.at(family, rank(family, over, places.len()));
         return;
     }
-    for (place, (fixed, of)) in fix.places.iter().zip(&var.over).enumerate() {
+    for (place, (fixed, of)) in places.iter().zip(over).enumerate() {
         let required = of.set.to_string();
         match fixed {
             Place::Every(index) => {
@@ -179,9 +184,9 @@ pub(super) fn check_fix(fix: &Fix, var: &Var, names: &Names<'_>, errors: &mut Er
     }
 }
 
-/// M06 with the sets of the variable.
-fn rank(var: &Var, given: usize) -> String {
-    let sets: Vec<String> = var.over.iter().map(|index| index.set.to_string()).collect();
+/// M06 with the sets of the family.
+fn rank(family: &Ident, over: &[Index], given: usize) -> String {
+    let sets: Vec<String> = over.iter().map(|index| index.set.to_string()).collect();
     let sets: Vec<&str> = sets.iter().map(String::as_str).collect();
-    messages::rank(&var.name.to_string(), &sets, given)
+    messages::rank(&family.to_string(), &sets, given)
 }

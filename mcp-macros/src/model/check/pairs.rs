@@ -5,7 +5,7 @@ use super::super::names::{Kind, Names};
 use super::indices;
 use crate::errors::Errors;
 use crate::messages::names::NO_EQUATIONS;
-use crate::messages::pairing as messages;
+use crate::messages::{pairing as messages, parts};
 use crate::nearest::nearest;
 use std::collections::{HashMap, HashSet};
 use syn::Ident;
@@ -24,14 +24,21 @@ pub(super) fn check(model: &Model, names: &Names<'_>, errors: &mut Errors) {
     let mut covered = Covered { unknown: model.lost.equations, ..Covered::default() };
     for eq in &model.eqs {
         if let Some(var) = variable(&eq.variable, names, &mut covered, errors) {
+            if eq.part != var.part {
+                errors.at(&eq.variable, other_part(eq, var, model));
+            }
             covered.variables.insert(var.name.to_string());
             check_pair(eq, var, names, &mut covered, errors);
         }
     }
     for fix in &model.fixes {
         if let Some(var) = variable(&fix.variable, names, &mut covered, errors) {
-            indices::check_fix(fix, var, names, errors);
-            if is_whole(fix, var) {
+            let family = (&fix.variable, &var.over[..]);
+            indices::check_places(&fix.places, family, names, errors);
+            if let Some(part) = names.hidden_in(&var.name.to_string(), fix.part) {
+                let (word, in_part) = (var.name.to_string(), fix.part.is_some());
+                errors.at(&fix.variable, parts::hidden(&word, &part.name.to_string(), in_part));
+            } else if is_whole(fix, var) && fix.part == var.part {
                 covered.variables.insert(var.name.to_string());
             }
         }
@@ -48,6 +55,13 @@ pub(super) fn check(model: &Model, names: &Names<'_>, errors: &mut Errors) {
             }
         }
     }
+}
+
+/// An equation pairs with a variable that is on with it, and only with it.
+fn other_part(eq: &Eq, var: &Var, model: &Model) -> String {
+    let name = |part: Option<usize>| part.map(|part| model.parts[part].name.to_string());
+    let (variable, equation) = (var.name.to_string(), eq.name.to_string());
+    parts::pair(&variable, name(var.part).as_deref(), &equation, name(eq.part).as_deref())
 }
 
 /// The variable of this name, M05 where there is none.

@@ -10,7 +10,7 @@ use super::family::Scope;
 use super::{control, locals};
 use crate::divisions;
 use crate::errors::Errors;
-use crate::messages::{habits, names as naming, pairing, reading};
+use crate::messages::{habits, names as naming, pairing, parts as of_parts, reading};
 use crate::nearest::nearest;
 use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
 use syn::Ident;
@@ -35,13 +35,20 @@ pub(super) struct Reader<'a> {
     pub(super) names: &'a Names<'a>,
     pub(super) scope: Scope,
     pub(super) locals: Vec<String>,
+    /// The part that the item stands in.
+    part: Option<usize>,
     pub(super) errors: &'a mut Errors,
 }
 
 impl<'a> Reader<'a> {
     /// A reader of an item with these indices.
     pub(super) fn new(names: &'a Names<'a>, scope: Scope, errors: &'a mut Errors) -> Self {
-        Reader { names, scope, locals: Vec::new(), errors }
+        Reader { names, scope, locals: Vec::new(), part: None, errors }
+    }
+
+    /// The reader of an item in a part.
+    pub(super) fn of(self, part: Option<usize>) -> Self {
+        Reader { part, ..self }
     }
 
     /// Reports what is wrong with the expression.
@@ -119,7 +126,11 @@ impl<'a> Reader<'a> {
         }
         match self.names.get(&word) {
             Some(kind) => {
-                if self.may_read(tokens, k, name, kind, purpose) {
+                if let Some(hidden) = self.names.hidden_in(&word, self.part) {
+                    let message =
+                        of_parts::hidden(&word, &hidden.name.to_string(), self.part.is_some());
+                    self.errors.at(name, message);
+                } else if self.may_read(tokens, k, name, kind, purpose) {
                     self.read(tokens, k, name, kind);
                 }
             }

@@ -7,13 +7,13 @@ use super::families::text;
 use super::items::Family;
 use super::{Expansion, label};
 use proc_macro2::{Ident, Span, TokenStream, TokenTree};
-use quote::{format_ident, quote_spanned};
+use quote::{ToTokens, format_ident, quote_spanned};
 
 impl<'m> Expansion<'m> {
     /// `impl TransportBuilder { fn __build }`
     pub(super) fn build(&self) -> TokenStream {
         let (name, builder) = (&self.model.name, self.builder());
-        let body = self.build_body();
+        let (body, of_parts) = (self.build_body(), self.with_and_lay_out());
         code! {
             #[automatically_derived]
             impl #builder {
@@ -21,6 +21,7 @@ impl<'m> Expansion<'m> {
                     #body
                 }
             }
+            #of_parts
         }
     }
 
@@ -31,16 +32,8 @@ impl<'m> Expansion<'m> {
         let is_table = |field: &&Field| matches!(field.kind, FieldKind::Table);
         let (tables, data): (Vec<_>, Vec<_>) =
             self.in_order_of_need().into_iter().partition(is_table);
-        let tables = tables.into_iter().map(|field| {
-            let (name, text, number) = (&field.name, label(&field.name), self.number_of(field));
-            let sets = &field.over;
-            code! {
-                #assembly
-                    .table(#number, #text, &[#(::mcp_core::language::Members::set(&#model.#sets)),*])
-                    .fill(&mut #model.#name.0);
-            }
-        });
-        let data = data.into_iter().map(|field| self.resolve(field, &assembly));
+        let tables = tables.into_iter().map(|field| self.table(field, &assembly));
+        let data = data.into_iter().map(|field| self.resolved_field(field, &assembly));
         let fields = self.model.fields.iter().map(|field| {
             let (name, local) = (&field.name, resolved(&field.name));
             if matches!(field.kind, FieldKind::Table) {
@@ -50,23 +43,23 @@ impl<'m> Expansion<'m> {
             }
         });
         let empty = self.empty_families();
-        let params = self.model.params.iter().enumerate();
-        let params = params.map(|(k, param)| self.param(k, param, &assembly));
-        let vars = self.model.vars.iter().map(|var| self.variable(var, &assembly));
-        let lifted = self.lifted().map(|def| Self::lifted_variable(def, &assembly));
-        let defs = self.definitions().map(|def| {
-            let (name, text) = (&def.name, text(&label(&def.name), &def.attributes));
-            let sets = Self::sets_of(&def.over);
-            code!(#assembly.definition(#text, #sets).fill(&mut #model.#name.0);)
-        });
-        let reports = self.model.reports.iter().map(|report| {
-            let (name, text) = (&report.name, text(&label(&report.name), &report.attributes));
-            let sets = Self::sets_of(&report.over);
-            code!(#assembly.report(#text, #sets).fill(&mut #model.#name.0);)
-        });
-        let eqs = self.model.eqs.iter().map(|eq| self.equation(eq, &assembly));
-        let lifted_eqs = self.lifted().map(|def| Self::lifted_rows(def, &assembly));
-        let start = self.lifted_start(&model);
+        if self.has_parts() {
+            let (parts, additions) = (self.part_texts(), self.empty_additions());
+            return code! {
+                let mut #assembly = self.__given;
+                #(#data)*
+                let mut #model = #name {
+                    #(#fields)*
+                    #empty
+                    #additions
+                    __parts: ::mcp_core::language::Parts::off(#parts),
+                    __shape: ::mcp_core::language::Assembly::no_shape(),
+                };
+                #(#tables)*
+                #model.__lay_out(#assembly)
+            };
+        }
+        let (families, start) = (self.lay_out(&assembly), self.lifted_start(&model));
         code! {
             let mut #assembly = self.__given;
             #(#data)*
@@ -76,6 +69,58 @@ impl<'m> Expansion<'m> {
                 __shape: ::mcp_core::language::Assembly::no_shape(),
             };
             #(#tables)*
+            #families
+            #assembly.finish(&mut #model.__shape)?;
+            #start
+            ::core::result::Result::Ok(#model)
+        }
+    }
+
+    /// A table of the data, read into the model.
+    pub(super) fn table(&self, field: &Field, assembly: &Ident) -> TokenStream {
+        let model = Self::local("model");
+        let (name, text, number) = (&field.name, label(&field.name), self.number_of(field));
+        let sets = &field.over;
+        let table = code! {
+            #assembly
+                .table(#number, #text, &[#(::mcp_core::language::Members::set(&#model.#sets)),*])
+                .fill(&mut #model.#name.0);
+        };
+        Self::within(field.part, assembly, table)
+    }
+
+    /// Families laid out and declared, each kind in its order.
+    pub(super) fn lay_out(&self, assembly: &Ident) -> TokenStream {
+        let model = Self::local("model");
+        let params = self.model.params.iter().enumerate();
+        let params = params
+            .map(|(k, param)| Self::within(param.part, assembly, self.param(k, param, assembly)));
+        let vars = self.model.vars.iter().map(|var| self.variable(var, assembly));
+        let lifted = self
+            .lifted()
+            .map(|def| Self::within(def.part, assembly, Self::lifted_variable(def, assembly)));
+        let defs = self.definitions().map(|def| {
+            let (name, text) = (&def.name, text(&label(&def.name), &def.attributes));
+            let sets = Self::sets_of(&def.over);
+            let definition = code!(#assembly.definition(#text, #sets).fill(&mut #model.#name.0););
+            Self::within(def.part, assembly, definition)
+        });
+        let reports = self.model.reports.iter().map(|report| {
+            let (name, text) = (&report.name, text(&label(&report.name), &report.attributes));
+            let sets = Self::sets_of(&report.over);
+            let report_family = code!(#assembly.report(#text, #sets).fill(&mut #model.#name.0););
+            Self::within(report.part, assembly, report_family)
+        });
+        let eqs = self
+            .model
+            .eqs
+            .iter()
+            .map(|eq| Self::within(eq.part, assembly, self.equation(eq, assembly)));
+        let lifted_eqs = self
+            .lifted()
+            .map(|def| Self::within(def.part, assembly, Self::lifted_rows(def, assembly)));
+        let additions = self.additions(assembly);
+        code! {
             #(#params)*
             #(#vars)*
             #(#lifted)*
@@ -83,14 +128,12 @@ impl<'m> Expansion<'m> {
             #(#reports)*
             #(#eqs)*
             #(#lifted_eqs)*
-            #assembly.finish(&mut #model.__shape)?;
-            #start
-            ::core::result::Result::Ok(#model)
+            #additions
         }
     }
 
     /// The fields of the data, each after the sets it needs.
-    fn in_order_of_need(&self) -> Vec<&'m Field> {
+    pub(super) fn in_order_of_need(&self) -> Vec<&'m Field> {
         let mut waiting: Vec<&Field> = self.model.fields.iter().collect();
         let mut ordered: Vec<&Field> = Vec::new();
         while !waiting.is_empty() {
@@ -108,15 +151,36 @@ impl<'m> Expansion<'m> {
         ordered
     }
 
-    /// A field of the data, from what was given.
-    fn resolve(&self, field: &Field, assembly: &Ident) -> TokenStream {
-        let (name, text, local) = (&field.name, label(&field.name), resolved(&field.name));
-        let number = self.number_of(field);
-        let members = |set: &Ident| {
-            let local = resolved(set);
-            code!(::mcp_core::language::Members::set(&#local))
+    /// A field of the data in a local, from what was given.
+    fn resolved_field(&self, field: &Field, assembly: &Ident) -> TokenStream {
+        let local = resolved(&field.name);
+        let value = self.resolve(field, assembly, &|set| resolved(set).into_token_stream());
+        let stored = match &field.kind {
+            // Read into the model.
+            FieldKind::Table => return TokenStream::new(),
+            FieldKind::Value(_) => None,
+            _ => {
+                let stored = self.set_type(field);
+                Some(code!(: #stored))
+            }
         };
-        let value = match &field.kind {
+        Self::within(field.part, assembly, code!(let #local #stored = #value;))
+    }
+
+    /// A field of the data, no table, from what was given and the sets that are there already.
+    pub(super) fn resolve(
+        &self,
+        field: &Field,
+        assembly: &Ident,
+        set: &dyn Fn(&Ident) -> TokenStream,
+    ) -> TokenStream {
+        let (name, text) = (&field.name, label(&field.name));
+        let number = self.number_of(field);
+        let members = |of: &Ident| {
+            let set = set(of);
+            code!(::mcp_core::language::Members::set(&#set))
+        };
+        match &field.kind {
             FieldKind::Set | FieldKind::Ordered | FieldKind::Size => {
                 code!(::mcp_core::language::IndexSet::new(#assembly.set(#number, #text)))
             }
@@ -128,15 +192,15 @@ impl<'m> Expansion<'m> {
                 code!(::mcp_core::language::IndexSet::new(#assembly.count(#text, #count)))
             }
             FieldKind::Subset(larger) => {
-                let (set, larger) = (members(larger), resolved(larger));
+                let (members, larger) = (members(larger), set(larger));
                 code!({
-                    let (set, positions) = #assembly.subset(#number, #text, #set);
+                    let (set, positions) = #assembly.subset(#number, #text, #members);
                     ::mcp_core::language::Subset::new(set, &#larger, positions)
                 })
             }
             FieldKind::Pairs(from, to) => {
                 let (from_set, to_set) = (members(from), members(to));
-                let (from, to) = (resolved(from), resolved(to));
+                let (from, to) = (set(from), set(to));
                 code!({
                     let (set, ends) = #assembly.pairs(#number, #text, [#from_set, #to_set]);
                     ::mcp_core::language::Pairs::new(set, &#from, &#to, ends)
@@ -144,14 +208,13 @@ impl<'m> Expansion<'m> {
             }
             FieldKind::Map(from, to) => {
                 let (from_set, to_set) = (members(from), members(to));
-                let (from, to) = (resolved(from), resolved(to));
+                let (from, to) = (set(from), set(to));
                 code!({
                     let targets = #assembly.map(#number, #text, [#from_set, #to_set]);
                     ::mcp_core::language::Map::new(&#from, &#to, targets)
                 })
             }
-            // Read into the model.
-            FieldKind::Table => return TokenStream::new(),
+            FieldKind::Table => TokenStream::new(),
             FieldKind::Value(value) if is_type(value, "f64") => {
                 code!(#assembly.number(#number, #text))
             }
@@ -161,18 +224,10 @@ impl<'m> Expansion<'m> {
             FieldKind::Value(_) => {
                 code!(::std::sync::Arc::new(#assembly.required(#text, self.#name)?))
             }
-        };
-        let stored = match &field.kind {
-            FieldKind::Value(_) | FieldKind::Table => None,
-            _ => {
-                let stored = self.set_type(field);
-                Some(code!(: #stored))
-            }
-        };
-        code!(let #local #stored = #value;)
+        }
     }
 
-    fn empty_families(&self) -> TokenStream {
+    pub(super) fn empty_families(&self) -> TokenStream {
         let families = self.families().map(|Family { name, kind, .. }| {
             let kind = format_ident!("{kind}");
             code!(#name: ::mcp_core::language::#kind::EMPTY,)
@@ -197,7 +252,7 @@ impl<'m> Expansion<'m> {
     }
 
     /// The number under which a field is given.
-    fn number_of(&self, field: &Field) -> usize {
+    pub(super) fn number_of(&self, field: &Field) -> usize {
         self.model.fields.iter().take_while(|other| other.name != field.name).count()
     }
 
@@ -219,7 +274,7 @@ impl<'m> Expansion<'m> {
     }
 
     /// Lifted definitions start where they hold.
-    fn lifted_start(&self, model: &Ident) -> Option<TokenStream> {
+    pub(super) fn lifted_start(&self, model: &Ident) -> Option<TokenStream> {
         let (vars, eqs) = (self.model.vars.len(), self.model.eqs.len());
         let lifted: Vec<TokenStream> = (0..self.lifted().count())
             .map(|k| {

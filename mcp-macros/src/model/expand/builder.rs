@@ -63,7 +63,8 @@ impl Expansion<'_> {
 
     /// What the builder takes: number, name, type and description.
     fn given(&self) -> impl Iterator<Item = (usize, &Ident, Given<'_>, String)> {
-        let fields = self.model.fields.iter().enumerate().filter_map(|(k, field)| {
+        let fields = self.model.fields.iter().enumerate();
+        let fields = fields.filter(|(_, field)| field.part.is_none()).filter_map(|(k, field)| {
             let (given, what) = match &field.kind {
                 FieldKind::Set | FieldKind::Ordered | FieldKind::Size => ("Labels", "set"),
                 FieldKind::Subset(_) => ("LabelSubset", "subset"),
@@ -88,7 +89,8 @@ impl Expansion<'_> {
             ))
         });
         let first = self.model.fields.len();
-        let params = self.model.params.iter().enumerate().map(move |(k, param)| {
+        let params = self.model.params.iter().enumerate();
+        let params = params.filter(|(_, param)| param.part.is_none()).map(move |(k, param)| {
             let default =
                 if param.value.is_some() { ", in place of its value in the text" } else { "" };
             let text = format!("The parameter `{}{}`{default}", param.name, indices(&param.over));

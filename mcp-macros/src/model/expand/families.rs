@@ -40,13 +40,14 @@ impl Expansion<'_> {
             })
         });
         let fixes = self.model.fixes.iter().filter(|fix| fix.variable == var.name);
-        let fixes = fixes.map(|fix| self.fix(fix, assembly));
+        let fixes = fixes.map(|fix| Self::within(fix.part, assembly, self.fix(fix, assembly)));
         let text = text(&label(name), &var.attributes);
-        code! {
+        let family = code! {
             #assembly.variables(#text, #sets, #condition).fill(&mut #model.#name.0);
             #(#values)*
-            #(#fixes)*
-        }
+        };
+        let family = Self::within(var.part, assembly, family);
+        code!(#family #(#fixes)*)
     }
 
     /// One `fix` item, on the values of its family.

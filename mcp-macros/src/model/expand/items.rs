@@ -2,7 +2,7 @@
 
 use super::super::ast::{Eq, Field, FieldKind, Index};
 use super::super::names::is_number;
-use super::{Expansion, description};
+use super::{Expansion, description, label};
 use proc_macro2::{Ident, TokenStream};
 use quote::format_ident;
 use syn::Attribute;
@@ -51,7 +51,7 @@ impl Expansion<'_> {
             let sparse = is_sparse.then(|| code!(::mcp_core::language::Sparse));
             code!(#name: ::mcp_core::language::#kind<#sets, #sparse>,)
         });
-        let contents = self.contents();
+        let (contents, of_parts) = (self.contents(), self.fields_of_parts());
         code! {
             #(#attributes)*
             #[doc = #contents]
@@ -61,6 +61,7 @@ impl Expansion<'_> {
                 #(#families)*
                 #tables
                 #fields
+                #of_parts
                 __shape: ::mcp_core::Shape,
             }
         }
@@ -111,24 +112,30 @@ impl Expansion<'_> {
     /// What the model consists of, for its documentation.
     fn contents(&self) -> String {
         let mut text = String::from("\n\n| | |\n| --- | --- |\n");
-        let mut row = |kind: &str, name: &Ident, over: &[Index], attributes: &[Attribute]| {
+        let mut row = |kind: &str,
+                       name: &Ident,
+                       over: &[Index],
+                       attributes: &[Attribute],
+                       part: Option<usize>| {
             let (about, unit) = description(attributes);
+            let of = part.map(|part| format!(" of part `{}`", label(&self.model.parts[part].name)));
+            let of = of.unwrap_or_default();
             let unit = if unit.is_empty() { String::new() } else { format!(" \\[{unit}\\]") };
-            let line = format!("| {kind} `{name}{}` | {about}{unit} |\n", indices(over));
+            let line = format!("| {kind} `{name}{}`{of} | {about}{unit} |\n", indices(over));
             text.push_str(&line);
         };
         let model = self.model;
         for var in &model.vars {
-            row("var", &var.name, &var.over, &var.attributes);
+            row("var", &var.name, &var.over, &var.attributes, var.part);
         }
         for def in &model.defs {
-            row("def", &def.name, &def.over, &def.attributes);
+            row("def", &def.name, &def.over, &def.attributes, def.part);
         }
         for eq in &model.eqs {
-            row("eq", &eq.name, &eq.over, &eq.attributes);
+            row("eq", &eq.name, &eq.over, &eq.attributes, eq.part);
         }
         for report in &model.reports {
-            row("report", &report.name, &report.over, &report.attributes);
+            row("report", &report.name, &report.over, &report.attributes, report.part);
         }
         text
     }
@@ -137,6 +144,7 @@ impl Expansion<'_> {
     fn methods(&self) -> TokenStream {
         let (visibility, name, builder) =
             (&self.model.visibility, &self.model.name, self.builder());
+        let with = self.with();
         let by_name = [
             ("fix", "Fixes a variable, or all of a family, by name: `Shape::fix`.", "value"),
             ("set_lower", "Changes a lower bound by name: `Shape::set_lower`.", "lower"),
@@ -164,6 +172,7 @@ impl Expansion<'_> {
                     ::core::default::Default::default()
                 }
                 #(#by_name)*
+                #with
                 /// Changes the values of a parameter family: `Shape::set_parameter`.
                 ///
                 /// # Errors

@@ -8,6 +8,7 @@
 //! | `view.rs` | what shows a solution |
 //! | `build.rs` | `build()`: data are resolved, the parts of the model put together |
 //! | `families.rs` | families laid out and declared in the shape |
+//! | `parts.rs`, `additions.rs` | parts: their types and `with`; what they add to rows |
 //! | `rows.rs` | `impl Model`: one generic function for each family |
 //! | `server.rs` | what only a language server reads |
 //!
@@ -20,17 +21,20 @@ macro_rules! code {
     };
 }
 
+mod additions;
 mod build;
 mod builder;
 mod domains;
 mod families;
 mod items;
+mod parts;
 mod rows;
 mod server;
 mod view;
 
 use super::ast::{Def, Field, FieldKind, Index, Model};
 use super::names::Names;
+use super::order::order;
 use super::rewrite::Rewriter;
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote_spanned};
@@ -39,6 +43,8 @@ use syn::ext::IdentExt;
 /// What all parts of the expansion need.
 struct Expansion<'m> {
     model: &'m Model,
+    /// Definitions that are not lifted, in the order of evaluation.
+    definitions: Vec<&'m Def>,
     rewriter: Rewriter<'m>,
 }
 
@@ -56,9 +62,12 @@ pub(super) enum Bodies {
 /// The items of a model.
 pub(super) fn model(model: &Model, names: &Names<'_>, bodies: Bodies) -> TokenStream {
     let module = format_ident!("{}Sets", model.name);
+    let definitions = order(model, names).into_iter().map(|place| &model.defs[place]);
+    let definitions = definitions.filter(|def| !def.lifted).collect();
     let rewriter = Rewriter { names, module };
-    let expansion = Expansion { model, rewriter };
+    let expansion = Expansion { model, definitions, rewriter };
     let (domains, items) = (expansion.domains(), expansion.items());
+    let part_types = expansion.part_types();
     let (build, implementation) = (expansion.build(), expansion.implementation());
     // A language server completes where the text up to the cursor expands to the same length with and
     // without the word at it: what quotes the text stands behind the bodies, and both conditions are
@@ -88,6 +97,7 @@ pub(super) fn model(model: &Model, names: &Names<'_>, bodies: Bodies) -> TokenSt
         };
         #domains
         #items
+        #part_types
     }
 }
 
@@ -100,9 +110,21 @@ impl<'m> Expansion<'m> {
     /// What the compiler meets in place of the bodies of a model with errors.
     fn stubs(&self) -> TokenStream {
         let (name, builder) = (&self.model.name, self.builder());
+        let with = self.has_parts().then(|| {
+            code! {
+                impl #name {
+                    fn __with(
+                        &self, _: ::mcp_core::language::Assembly,
+                    ) -> ::core::result::Result<#name, ::mcp_core::ModelError> {
+                        ::core::unreachable!()
+                    }
+                }
+            }
+        });
         code! {
             #[cfg(not(rust_analyzer))]
             const _: () = {
+                #with
                 impl #builder {
                     fn __build(self) -> ::core::result::Result<#name, ::mcp_core::ModelError> {
                         ::core::unreachable!()
@@ -126,9 +148,9 @@ impl<'m> Expansion<'m> {
     fn lifted(&self) -> impl Iterator<Item = &'m Def> {
         self.model.defs.iter().filter(|def| def.lifted)
     }
-    /// Definition families.
+    /// Definition families in the order of evaluation.
     fn definitions(&self) -> impl Iterator<Item = &'m Def> {
-        self.model.defs.iter().filter(|def| !def.lifted)
+        self.definitions.clone().into_iter()
     }
     /// Fields that are index sets.
     fn sets(&self) -> impl Iterator<Item = &'m Field> {

@@ -3,6 +3,7 @@
 use super::super::ast::{Body, Index};
 use super::super::rewrite::wrapping;
 use super::Expansion;
+use super::additions::Target;
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote_spanned};
 
@@ -13,7 +14,7 @@ pub(super) struct Function<'a> {
     pub(super) declared: Span,
     /// The field that splits a row number into indices; an unfinished equation has none.
     pub(super) rows: Option<Ident>,
-    pub(super) over: &'a [Index],
+    pub(super) over: Vec<&'a Index>,
     pub(super) value: TokenStream,
     /// What a language server shall see beside the value.
     pub(super) also: TokenStream,
@@ -25,8 +26,9 @@ impl Expansion<'_> {
         let equations = self.equation_functions();
         let definitions = self.definition_functions();
         let reports = self.report_functions();
-        let (row, def) = (dispatch(&equations), dispatch(&definitions));
-        let report = dispatch(&reports);
+        let targets = self.targets();
+        let (row, def) = (dispatch(&equations, &targets[0]), dispatch(&definitions, &targets[1]));
+        let (report, added) = (dispatch(&reports, &[]), self.added_functions(&targets));
         let (name, unfinished) = (&self.model.name, self.unfinished());
         let [equations, definitions, reports] =
             [(equations, true), (definitions, true), (reports, false)].map(
@@ -38,6 +40,7 @@ impl Expansion<'_> {
             #equations
             #definitions
             #reports
+            #added
             #unfinished
             #[automatically_derived]
             impl ::mcp_core::Model for #name {
@@ -67,7 +70,7 @@ impl Expansion<'_> {
         let equations = self.model.eqs.iter().map(|eq| Function {
             name: format_ident!("__row_{}", eq.name),
             rows: Some(eq.name.clone()),
-            over: &eq.over,
+            over: eq.over.iter().collect(),
             value: self.body(&eq.body),
             also: self.also(eq.pair.iter().chain(&eq.condition)),
             declared: eq.name.span(),
@@ -80,7 +83,7 @@ impl Expansion<'_> {
                 name: format_ident!("__lifted_{}", def.name),
                 rows: Some(Self::rows_of_lifted(def)),
                 also: TokenStream::new(),
-                over: &def.over,
+                over: def.over.iter().collect(),
                 value: code!(#model.#name.get(#read, #(#indices),*) - #value),
                 declared: def.name.span(),
             }
@@ -111,6 +114,7 @@ impl Expansion<'_> {
         let value = self.value(expression);
         let (rows, declared) = (Some(name.clone()), name.span());
         let (name, also) = (format_ident!("__{}_{}", kind, name), TokenStream::new());
+        let over = over.iter().collect();
         Function { name, declared, rows, over, value, also }
     }
 
@@ -178,12 +182,13 @@ impl Expansion<'_> {
     }
 }
 
-/// Calls the function of a family by its number.
-fn dispatch(functions: &[Function<'_>]) -> TokenStream {
-    let arms = functions.iter().enumerate().map(|(k, function)| {
-        let name = &function.name;
-        code!(#k => #name(self, index, read),)
-    });
+/// Calls the function of a family by its entry.
+fn dispatch(functions: &[Function<'_>], targets: &[Target<'_>]) -> TokenStream {
+    let plain = functions.iter().map(|function| function.name.clone());
+    let arms = plain
+        .chain(targets.iter().map(Target::name))
+        .enumerate()
+        .map(|(k, name)| code!(#k => #name(self, index, read),));
     code! {
         match family {
             #(#arms)*

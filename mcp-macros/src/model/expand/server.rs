@@ -44,6 +44,7 @@ impl Expansion<'_> {
             let name = format_ident!("__unfinished_{k}");
             let value = self.value(tokens);
             let (declared, also) = (Span::mixed_site(), TokenStream::new());
+            let over = over.iter().collect();
             let function = Function { name, declared, rows: None, over, value, also };
             let function = self.function(&function, true);
             code!(#[cfg(rust_analyzer)] #function)
@@ -59,6 +60,7 @@ impl Expansion<'_> {
         let fields = self.model.fields.iter();
         let fields = fields.flat_map(|field| field.over.iter().chain(field.kind.sets()));
         let fields = fields.chain(self.model.fixes.iter().map(|fix| &fix.variable));
+        let parts = self.occurrences_of_parts();
         let types: Vec<Ident> = self
             .model
             .expressions()
@@ -76,6 +78,7 @@ impl Expansion<'_> {
                 #(let _ = &#model.#fields;)*
                 #(let _: ::core::option::Option<#module::#types>;)*
                 #(#vars)*
+                #parts
             }
         }
     }

@@ -12,6 +12,7 @@ struct Viewed<'a> {
     attributes: &'a [Attribute],
     name: &'a Ident,
     over: &'a [Index],
+    part: Option<usize>,
     is_variable: bool,
 }
 
@@ -39,6 +40,7 @@ impl Expansion<'_> {
             let text = format!("`{name}{}`", indices(family.over));
             let text = if attributes.is_empty() { Some(code!(#[doc = #text])) } else { None };
             let levels = match (rank, family.is_variable) {
+                (0, _) if family.part.is_some() => code!(::core::option::Option<f64>),
                 (0, _) => code!(f64),
                 (_, true) => code!(::mcp_core::language::VariableLevels<#rank>),
                 (_, false) => code!(::mcp_core::language::Levels<#rank>),
@@ -48,6 +50,7 @@ impl Expansion<'_> {
         let values = viewed.iter().map(|family| {
             let (name, numbers) = (family.name, numbers(family.name));
             match (family.over.len(), family.is_variable) {
+                (0, _) if family.part.is_some() => code!(#name: #numbers.single_if_on(),),
                 (0, _) => code!(#name: #numbers.single(),),
                 (_, true) => code!(#name: ::mcp_core::language::VariableLevels(
                     ::mcp_core::language::Levels(#numbers)
@@ -61,6 +64,16 @@ impl Expansion<'_> {
         });
         let names = viewed.iter().map(|family| family.name);
         let names = names.chain(tables.iter().map(|field| &field.name)).map(numbers);
+        let all_numbers = if self.has_parts() {
+            let apart = Self::viewed_apart(&viewed, &tables);
+            code! {
+                ::mcp_core::language::viewed_with_parts(
+                    self, solution, &[#(#viewed_tables)*], (&self.__parts, &[#apart]),
+                )
+            }
+        } else {
+            code!(::mcp_core::language::viewed(self, solution, &[#(#viewed_tables)*]))
+        };
         let about = format!(
             "A solution of [`{name}`] by the names of the model: variables, definitions, parameters, \
              reports and tables."
@@ -85,12 +98,22 @@ impl Expansion<'_> {
                     &self,
                     solution: &::mcp_core::Solution,
                 ) -> ::core::result::Result<#view, ::mcp_core::ModelError> {
-                    let [#(#names),*] =
-                        ::mcp_core::language::viewed(self, solution, &[#(#viewed_tables)*])?;
+                    let [#(#names),*] = #all_numbers?;
                     ::core::result::Result::Ok(#view { #(#values)* #(#table_values)* })
                 }
             }
         }
+    }
+
+    /// Place, name and part of every field of the view that belongs to a part.
+    fn viewed_apart(viewed: &[Viewed<'_>], tables: &[&Field]) -> TokenStream {
+        let families = viewed.iter().map(|family| (family.name, family.part));
+        let all = families.chain(tables.iter().map(|field| (&field.name, field.part)));
+        let apart = all.enumerate().filter_map(|(place, (name, part))| {
+            let (name, part) = (label(name), part?);
+            Some(code!((#place, #name, #part),))
+        });
+        apart.collect()
     }
 
     /// Tables of the data over sets that are declared.
@@ -106,17 +129,19 @@ impl Expansion<'_> {
     /// Families in the order of `viewed` in `mcp_core`.
     fn viewed(&self) -> Vec<Viewed<'_>> {
         let model = self.model;
-        let vars = model.vars.iter().map(|v| (&v.attributes[..], &v.name, &v.over[..]));
-        let lifted = self.lifted().map(|d| (&d.attributes[..], &d.name, &d.over[..]));
-        let defs = self.definitions().map(|d| (&d.attributes[..], &d.name, &d.over[..]));
-        let params = model.params.iter().map(|p| (&p.attributes[..], &p.name, &p.over[..]));
-        let reports = model.reports.iter().map(|r| (&r.attributes[..], &r.name, &r.over[..]));
+        let vars = model.vars.iter().map(|v| (&v.attributes[..], &v.name, &v.over[..], v.part));
+        let lifted = self.lifted().map(|d| (&d.attributes[..], &d.name, &d.over[..], d.part));
+        let defs = self.definitions().map(|d| (&d.attributes[..], &d.name, &d.over[..], d.part));
+        let params = model.params.iter().map(|p| (&p.attributes[..], &p.name, &p.over[..], p.part));
+        let reports =
+            model.reports.iter().map(|r| (&r.attributes[..], &r.name, &r.over[..], r.part));
         let variables = vars.chain(lifted).map(|family| (family, true));
         let others = defs.chain(params).chain(reports).map(|family| (family, false));
-        let viewed = |((attributes, name, over), is_variable)| Viewed {
+        let viewed = |((attributes, name, over, part), is_variable)| Viewed {
             attributes,
             name,
             over,
+            part,
             is_variable,
         };
         variables.chain(others).map(viewed).collect()

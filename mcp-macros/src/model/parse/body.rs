@@ -40,7 +40,7 @@ pub(super) fn eq(
     let variable = cursor.name("complements")?;
     let (pair, pair_end) = pair_of(cursor, &variable)?;
     cursor.finish()?;
-    Some(Eq { attributes, name, over, condition, body, variable, pair, pair_end })
+    Some(Eq { attributes, name, over, condition, body, variable, pair, pair_end, part: None })
 }
 
 /// `if condition`, empty without it.

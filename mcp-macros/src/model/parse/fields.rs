@@ -11,13 +11,18 @@ use proc_macro2::{Delimiter, Group, TokenTree};
 use syn::{Ident, LitInt, Type};
 
 /// Reads all fields, going on behind one that is wrong.
-pub(super) fn fields(trees: &[TokenTree], model: &mut Model, errors: &mut Errors) {
+pub(super) fn fields(
+    trees: &[TokenTree],
+    belongs_to: Option<usize>,
+    model: &mut Model,
+    errors: &mut Errors,
+) {
     for part in separate(trees, errors) {
         if part.is_empty() {
             continue;
         }
         if let Some(field) = field(part, errors) {
-            model.fields.push(field);
+            model.fields.push(Field { part: belongs_to, ..field });
         } else {
             let names = part.iter().filter_map(|tree| word(Some(tree)));
             model.lost.names.extend(names.take(1).map(ToString::to_string));
@@ -70,7 +75,7 @@ fn field(part: &[TokenTree], errors: &mut Errors) -> Option<Field> {
         return None;
     }
     let kind = kind(&name, !over.is_empty(), &part[at + 1..], errors)?;
-    Some(Field { attributes, name, over, kind })
+    Some(Field { attributes, name, over, kind, part: None })
 }
 
 /// The names in a group.

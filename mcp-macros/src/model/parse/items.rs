@@ -1,6 +1,6 @@
-//! `param`, `fix`, `def` and `report`.
+//! `param`, `fix`, `def`, `report`, `adds` and the head of a `part`.
 
-use super::super::ast::{Def, Fix, Param, Report};
+use super::super::ast::{Adds, Def, Fix, Param, Part, Report};
 use super::super::tokens::{is_operator, stream};
 use super::cursor::Cursor;
 use super::header;
@@ -19,7 +19,7 @@ pub(super) fn param(attributes: Vec<Attribute>, cursor: &mut Cursor<'_>) -> Opti
         cursor.wrong(grammar::param_value(&name.to_string()));
         return None;
     };
-    Some(Param { attributes, name, over, value })
+    Some(Param { attributes, name, over, value, part: None })
 }
 
 /// `fix name[labor] = expr`.
@@ -31,7 +31,7 @@ pub(super) fn fix(cursor: &mut Cursor<'_>) -> Option<Fix> {
         return None;
     }
     let value = stream(cursor.expression("=")?);
-    Some(Fix { variable, places, value })
+    Some(Fix { variable, places, value, part: None })
 }
 
 /// `def name[i in set] lifted: expr`.
@@ -41,7 +41,7 @@ pub(super) fn def(attributes: Vec<Attribute>, cursor: &mut Cursor<'_>) -> Option
     let lifted = cursor.take_word("lifted");
     colon(cursor, &name)?;
     let expression = stream(cursor.expression(":")?);
-    Some(Def { attributes, name, over, lifted, expression })
+    Some(Def { attributes, name, over, lifted, expression, part: None })
 }
 
 /// `report name[i in set]: expr`.
@@ -50,7 +50,40 @@ pub(super) fn report(attributes: Vec<Attribute>, cursor: &mut Cursor<'_>) -> Opt
     let over = header::indices(cursor, &name)?;
     colon(cursor, &name)?;
     let expression = stream(cursor.expression(":")?);
-    Some(Report { attributes, name, over, expression })
+    Some(Report { attributes, name, over, expression, part: None })
+}
+
+/// `adds target[i in set]: expr`, in a part.
+pub(super) fn adds(part: usize, cursor: &mut Cursor<'_>) -> Option<Adds> {
+    let target = cursor.name("adds")?;
+    let places = header::places(cursor, &target)?;
+    colon(cursor, &target)?;
+    let expression = stream(cursor.expression(":")?);
+    Some(Adds { target, places, expression, part })
+}
+
+/// `part name requires a, b excludes c`, without the block.
+pub(super) fn part(attributes: Vec<Attribute>, cursor: &mut Cursor<'_>) -> Option<Part> {
+    let name = cursor.name("part")?;
+    let (mut requires, mut excludes) = (Vec::new(), Vec::new());
+    loop {
+        if cursor.take_word("requires") {
+            requires.extend(others(cursor, "requires")?);
+        } else if cursor.take_word("excludes") {
+            excludes.extend(others(cursor, "excludes")?);
+        } else {
+            return Some(Part { attributes, name, requires, excludes });
+        }
+    }
+}
+
+/// The parts behind `requires` or `excludes`.
+fn others(cursor: &mut Cursor<'_>, word: &str) -> Option<Vec<Ident>> {
+    let mut others = vec![cursor.name(word)?];
+    while cursor.take_operator(",") {
+        others.push(cursor.name(word)?);
+    }
+    Some(others)
 }
 
 /// Takes the colon behind a header.

@@ -1,6 +1,6 @@
 //! Where one item ends and the next begins.
 
-use super::super::ast::Model;
+use super::super::ast::{Def, Eq, Fix, Model, Param, Report, Var};
 use super::super::tokens;
 use super::super::tokens::{group, is_punct, is_word, stream, trees, word};
 use super::cursor::{Cursor, is_member};
@@ -22,8 +22,13 @@ struct Extent {
     closed: bool,
 }
 
-/// Reads all items of the block.
-pub(super) fn items(body: &[TokenTree], model: &mut Model, errors: &mut Errors) {
+/// Reads all items of the block of the model, or of this part.
+pub(super) fn items(
+    body: &[TokenTree],
+    part: Option<usize>,
+    model: &mut Model,
+    errors: &mut Errors,
+) {
     let mut at = 0;
     while at < body.len() {
         if is_punct(body.get(at), ';') {
@@ -36,7 +41,8 @@ pub(super) fn items(body: &[TokenTree], model: &mut Model, errors: &mut Errors) 
             errors.at(&body[at - 1], grammar::NO_ITEM);
             continue;
         }
-        item(attributes, &body[at..extent.end], extent.closed, model, errors);
+        let text = Text { attributes, item: &body[at..extent.end], closed: extent.closed };
+        item(text, part, model, errors);
         at = extent.end;
     }
 }
@@ -69,6 +75,12 @@ pub(super) fn attributes(
 /// Where the item at `at` ends.
 fn extent(body: &[TokenTree], at: usize) -> Extent {
     let is_block = |k: usize| group(body.get(k), Delimiter::Brace).is_some();
+    if is_word(body.get(at), &["part"]) {
+        let ends = |&k: &usize| is_block(k) || is_punct(body.get(k), ';');
+        if let Some(k) = (at + 1..body.len()).find(ends).filter(|&k| is_block(k)) {
+            return Extent { end: k + 1, closed: true };
+        }
+    }
     let known = is_word(body.get(at), &grammar::ITEMS) && !is_word(body.get(at), &["data", "part"]);
     if word(body.get(at)).is_some() && !known {
         if is_block(at + 1) {
@@ -124,29 +136,44 @@ fn before_attributes(body: &[TokenTree], mut k: usize) -> usize {
     k
 }
 
-/// Reads one item; one that is wrong is noted as lost.
-fn item(
+/// An item as it stands in the text.
+struct Text<'a> {
     attributes: Vec<Attribute>,
-    item: &[TokenTree],
+    item: &'a [TokenTree],
     closed: bool,
-    model: &mut Model,
-    errors: &mut Errors,
-) {
+}
+
+/// Reads one item; one that is wrong is noted as lost.
+fn item(text: Text<'_>, part: Option<usize>, model: &mut Model, errors: &mut Errors) {
+    let Text { attributes, item, closed } = text;
     let before = errors.len();
     let mut cursor = Cursor { trees: item, at: 1, errors };
     let word = word(item.first()).map(ToString::to_string).unwrap_or_default();
     let read = match word.as_str() {
-        "data" => data(&mut cursor, model),
-        "param" => items::param(attributes, &mut cursor).map(|item| model.params.push(item)),
-        "var" => super::variable::var(attributes, &mut cursor).map(|item| model.vars.push(item)),
-        "fix" => items::fix(&mut cursor).map(|item| model.fixes.push(item)),
-        "def" => items::def(attributes, &mut cursor).map(|item| model.defs.push(item)),
+        "data" => data(part, &mut cursor, model),
+        "param" => items::param(attributes, &mut cursor)
+            .map(|item| model.params.push(Param { part, ..item })),
+        "var" => super::variable::var(attributes, &mut cursor)
+            .map(|item| model.vars.push(Var { part, ..item })),
+        "fix" => items::fix(&mut cursor).map(|item| model.fixes.push(Fix { part, ..item })),
+        "def" => {
+            items::def(attributes, &mut cursor).map(|item| model.defs.push(Def { part, ..item }))
+        }
         "eq" => super::body::eq(attributes, &mut cursor, &mut model.lost)
-            .map(|item| model.eqs.push(item)),
-        "report" => items::report(attributes, &mut cursor).map(|item| model.reports.push(item)),
+            .map(|item| model.eqs.push(Eq { part, ..item })),
+        "report" => items::report(attributes, &mut cursor)
+            .map(|item| model.reports.push(Report { part, ..item })),
+        "part" if part.is_none() => self::part(attributes, &mut cursor, model),
         "part" => {
-            cursor.errors.at(&item[0], grammar::PART);
-            Some(())
+            cursor.errors.at(&item[0], grammar::PART_INSIDE);
+            None
+        }
+        "adds" if let Some(part) = part => {
+            items::adds(part, &mut cursor).map(|item| model.adds.push(item))
+        }
+        "adds" => {
+            cursor.errors.at(&item[0], grammar::ADDS_OUTSIDE);
+            None
         }
         _ => {
             unknown(&word, item, cursor.errors);
@@ -161,13 +188,27 @@ fn item(
     }
 }
 
+/// `part name { … }`.
+fn part(attributes: Vec<Attribute>, cursor: &mut Cursor<'_>, model: &mut Model) -> Option<()> {
+    let part = items::part(attributes, cursor)?;
+    let Some(block) = cursor.take_group(Delimiter::Brace) else {
+        cursor.wrong(grammar::part_block(&part.name.to_string()));
+        return None;
+    };
+    cursor.finish()?;
+    let number = model.parts.len();
+    model.parts.push(part);
+    items(&trees(block.stream()), Some(number), model, cursor.errors);
+    Some(())
+}
+
 /// `data { … }`.
-fn data(cursor: &mut Cursor<'_>, model: &mut Model) -> Option<()> {
+fn data(belongs_to: Option<usize>, cursor: &mut Cursor<'_>, model: &mut Model) -> Option<()> {
     let Some(block) = cursor.take_group(Delimiter::Brace) else {
         cursor.wrong(grammar::DATA);
         return None;
     };
-    fields::fields(&trees(block.stream()), model, cursor.errors);
+    fields::fields(&trees(block.stream()), belongs_to, model, cursor.errors);
     cursor.finish()
 }
 
@@ -185,9 +226,12 @@ fn unknown(word: &str, item: &[TokenTree], errors: &mut Errors) {
 
 /// Notes what an item may have declared.
 fn lose(word: &str, item: &[TokenTree], model: &mut Model) {
-    let known = grammar::ITEMS.contains(&word);
+    let known = grammar::ITEMS.contains(&word) && word != "part";
     let upto = if known { 2 } else { item.len() };
-    let names = item.iter().take(upto).skip(1).filter_map(|tree| tokens::word(Some(tree)));
+    let block = item.last().and_then(|tree| group(Some(tree), Delimiter::Brace));
+    let inside = block.filter(|_| word == "part").map(|block| trees(block.stream()));
+    let names = item.iter().take(upto).skip(1).chain(inside.iter().flatten());
+    let names = names.filter_map(|tree| tokens::word(Some(tree)));
     model.lost.names.extend(names.map(ToString::to_string));
     model.lost.equations |= !known || word == "eq";
 }

@@ -31,7 +31,7 @@ pub(super) fn var(attributes: Vec<Attribute>, cursor: &mut Cursor<'_>) -> Option
         return None;
     }
     cursor.finish()?;
-    Some(Var { attributes, name, over, bounds, start, condition })
+    Some(Var { attributes, name, over, bounds, start, condition, part: None })
 }
 
 /// Where the expression that begins at `from` ends: at `start`, or at an `if` behind an operand.
