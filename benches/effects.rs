@@ -10,6 +10,7 @@
 mod files;
 
 use files::effect::Effect;
+use files::effects::Effect as _;
 use files::scene::Scene;
 use mcp_core::dynamics::{StepSize, TimeStepper, step_options};
 use mcp_core::{

@@ -30,12 +30,13 @@ mod files;
 mod output;
 
 use files::effect::Effect;
+use files::effects::{Effect as _, files_in};
 use files::scene::Scene;
 use indicatif::ProgressBar;
 use mcp_core::dynamics::StepReport;
 use output::{Output, Row};
 use std::error::Error;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 /// Rows of the step table.
 const ROWS: u64 = 25;
@@ -86,13 +87,8 @@ fn run(path: &Path) -> Result<(), Box<dyn Error>> {
 /// All scenes, briefly.
 fn run_all() -> Result<(), Box<dyn Error>> {
     let directory = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/scenes");
-    let mut paths: Vec<PathBuf> = std::fs::read_dir(directory)?
-        .map(|entry| entry.map(|entry| entry.path()))
-        .collect::<Result<_, _>>()?;
-    paths.retain(|path| path.extension().is_some_and(|extension| extension == "toml"));
-    paths.sort();
     println!("scene                    steps  problems  unknowns  iterations  worst residual");
-    for path in paths {
+    for path in files_in(&directory)? {
         let mut scene = Scene::read(&path)?;
         let steps = scene.steps.min(BRIEFLY);
         let (mut problems, mut unknowns, mut iterations, mut worst) = (0, 0, 0, 0.0_f64);

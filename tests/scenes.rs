@@ -17,10 +17,10 @@ mod twins;
 #[path = "scenes/without.rs"]
 mod without;
 
-use files::error::Source;
+use files::effects::{Source, files_in, named};
 use files::file::SceneFile;
+use files::mechanics;
 use files::scene::Scene;
-use files::{effect, mechanics};
 use mcp_core::dynamics::MoreauJean;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -46,12 +46,9 @@ fn scene(name: &str) -> Scene {
 
 /// Names of all scenes.
 fn all() -> Vec<String> {
-    let entries = fs::read_dir(directory()).expect("there are scenes");
-    let paths = entries.map(|entry| entry.expect("the directory can be read").path());
-    let scenes = paths.filter(|path| path.extension().is_some_and(|e| e == "toml"));
+    let scenes = files_in(&directory()).expect("there are scenes").into_iter();
     let name = |path: PathBuf| path.file_stem().expect("it has a name").to_string_lossy().into();
-    let mut names: Vec<String> = scenes.map(name).collect();
-    names.sort();
+    let names: Vec<String> = scenes.map(name).collect();
     assert!(names.len() >= 13, "{names:?}");
     names
 }
@@ -63,7 +60,7 @@ fn bodies(name: &str, edit: impl FnOnce(&mut toml::Table)) -> MoreauJean {
     let text = toml::to_string(&table).expect("it was read from text");
     let source = Source { file: name, text: &text };
     let file: SceneFile = toml::from_str(&text).expect("the scene is well formed");
-    let effects = effect::named(&file, &source).unwrap_or_else(|error| panic!("{error}"));
+    let effects = named(&file.effects, &file, &source).unwrap_or_else(|error| panic!("{error}"));
     mechanics::stepper(&file, &effects, &source).unwrap_or_else(|error| panic!("{error}"))
 }
 

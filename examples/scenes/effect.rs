@@ -1,6 +1,6 @@
 //! The effects a scene can name.
 
-use super::error::{SceneError, Source};
+use super::effects;
 use super::file::SceneFile;
 
 /// An effect.
@@ -20,8 +20,8 @@ pub(crate) enum Effect {
     ZhuravlevIvanov,
 }
 
-impl Effect {
-    const ALL: [Effect; 12] = [
+impl effects::Effect<SceneFile> for Effect {
+    const ALL: &'static [Effect] = &[
         Effect::Gravity,
         Effect::Spring,
         Effect::Damper,
@@ -36,7 +36,7 @@ impl Effect {
         Effect::ZhuravlevIvanov,
     ];
 
-    pub(crate) fn name(self) -> &'static str {
+    fn name(self) -> &'static str {
         match self {
             Effect::Gravity => "gravity",
             Effect::Spring => "spring",
@@ -53,7 +53,6 @@ impl Effect {
         }
     }
 
-    /// The effect without which this one makes no sense.
     fn requires(self) -> Option<Effect> {
         match self {
             Effect::Restitution | Effect::Friction => Some(Effect::Contact),
@@ -61,7 +60,6 @@ impl Effect {
         }
     }
 
-    /// Whether the file has the data of the effect.
     fn has_data(self, file: &SceneFile) -> bool {
         match self {
             Effect::Gravity => file.gravity.is_some(),
@@ -78,31 +76,4 @@ impl Effect {
             Effect::ZhuravlevIvanov => file.zhuravlev_ivanov.is_some(),
         }
     }
-}
-
-/// The effects that a file names, each known, with its data, and with what it requires.
-pub(crate) fn named(file: &SceneFile, source: &Source<'_>) -> Result<Vec<Effect>, SceneError> {
-    let mut effects = Vec::new();
-    for name in &file.effects {
-        let fault = |message: String| source.error(name.span(), "effects", message);
-        let known = Effect::ALL.into_iter().find(|effect| effect.name() == name.get_ref());
-        let Some(effect) = known else {
-            let all = Effect::ALL.map(Effect::name).join(", ");
-            return Err(fault(format!("there is no effect `{}`: choose {all}", name.get_ref())));
-        };
-        if effects.contains(&effect) {
-            return Err(fault(format!("`{}` is named twice", effect.name())));
-        }
-        if !effect.has_data(file) {
-            return Err(fault(format!("the scene has no data for `{}`", effect.name())));
-        }
-        effects.push(effect);
-    }
-    for (effect, name) in effects.iter().zip(&file.effects) {
-        if let Some(other) = effect.requires().filter(|other| !effects.contains(other)) {
-            let message = format!("`{}` makes no sense without `{}`", effect.name(), other.name());
-            return Err(source.error(name.span(), "effects", message));
-        }
-    }
-    Ok(effects)
 }

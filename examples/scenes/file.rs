@@ -1,11 +1,8 @@
 //! What stands in a scene file.
 
+use super::effects::At;
 use serde::Deserialize;
 use std::collections::BTreeMap;
-use toml::Spanned;
-
-/// A number, a name, … with the place where it stands.
-pub(crate) type At<T> = Spanned<T>;
 
 /// A scene: a base of bodies, circuit elements or a linear system, the effects it names, their data.
 #[derive(Debug, Deserialize)]

@@ -1,8 +1,8 @@
 //! Scenes with bodies.
 
 use super::effect::Effect;
-use super::error::{SceneError, Source};
-use super::file::{At, Body, Contact, Joint, Names, SceneFile};
+use super::effects::{At, FileError, Source};
+use super::file::{Body, Contact, Joint, Names, SceneFile};
 use mcp_core::dynamics::{
     self, Axis, BodyId, DynamicsError, Hold, Link, Mechanics, MoreauJean, Obstacle, Scheme,
     step_options,
@@ -14,7 +14,7 @@ pub(crate) fn stepper(
     scene: &SceneFile,
     effects: &[Effect],
     source: &Source<'_>,
-) -> Result<MoreauJean, SceneError> {
+) -> Result<MoreauJean, FileError> {
     let on = |effect| effects.contains(&effect);
     let mut build = Build { system: Mechanics::new(), bodies: Names::new(), source };
     for body in &scene.body {
@@ -22,7 +22,7 @@ pub(crate) fn stepper(
     }
     if let (true, Some(gravity)) = (on(Effect::Gravity), &scene.gravity) {
         let added = build.system.add_gravity(gravity.acceleration);
-        added.map_err(|error| source.system(error))?;
+        added.map_err(|error| source.refused(error))?;
     }
     if on(Effect::Spring) {
         for spring in &scene.spring {
@@ -66,7 +66,7 @@ pub(crate) fn stepper(
         *place = given.as_ref().map_or(*place, |given| *given.get_ref());
     }
     let stepper = MoreauJean::new(build.system, scheme, &step_options());
-    stepper.map_err(|error| source.system(error))
+    stepper.map_err(|error| source.refused(error))
 }
 
 /// A system that grows.
@@ -83,11 +83,11 @@ impl Build<'_> {
         added: Result<T, DynamicsError>,
         key: &str,
         at: Range<usize>,
-    ) -> Result<T, SceneError> {
+    ) -> Result<T, FileError> {
         added.map_err(|error| self.source.error(at, key, error.to_string()))
     }
 
-    fn find(&self, key: &str, name: &At<String>) -> Result<BodyId, SceneError> {
+    fn find(&self, key: &str, name: &At<String>) -> Result<BodyId, FileError> {
         let missing = || {
             let names: Vec<&str> = self.bodies.keys().map(String::as_str).collect();
             let message = format!("no body is called `{}`: {}", name.get_ref(), names.join(", "));
@@ -96,7 +96,7 @@ impl Build<'_> {
         self.bodies.get(name.get_ref()).copied().ok_or_else(missing)
     }
 
-    fn body(&mut self, entry: &At<Body>) -> Result<(), SceneError> {
+    fn body(&mut self, entry: &At<Body>) -> Result<(), FileError> {
         let body = entry.get_ref();
         let Some(mass) = &body.mass else {
             let message = format!("{} has no mass", body.name);
@@ -140,7 +140,7 @@ impl Build<'_> {
         (body, to, along): (&At<String>, Option<&At<String>>, &At<String>),
         coefficient: f64,
         rest: f64,
-    ) -> Result<Link, SceneError> {
+    ) -> Result<Link, FileError> {
         let axes = [Axis::X, Axis::Y, Axis::Angle];
         let found = axes.into_iter().find(|axis| axis.name() == along.get_ref());
         let Some(axis) = found else {
@@ -157,7 +157,7 @@ impl Build<'_> {
         entry: &At<Contact>,
         restitution: bool,
         friction: bool,
-    ) -> Result<(), SceneError> {
+    ) -> Result<(), FileError> {
         let given = entry.get_ref();
         let with = match &given.with {
             Some(other) => Obstacle::Body(self.find("contact.with", other)?),
@@ -182,7 +182,7 @@ impl Build<'_> {
         self.check(added, place.0, place.1)
     }
 
-    fn joint(&mut self, entry: &At<Joint>) -> Result<(), SceneError> {
+    fn joint(&mut self, entry: &At<Joint>) -> Result<(), FileError> {
         let given = entry.get_ref();
         let hold = match (given.rail, given.anchor, &given.with) {
             (Some(normal), None, None) => Hold::Rail(normal),

@@ -1,7 +1,8 @@
 //! Scene files: what they say, what is wrong with them, and the systems they describe.
 
 pub(crate) mod effect;
-pub(crate) mod error;
+#[path = "../effects/mod.rs"]
+pub(crate) mod effects;
 pub(crate) mod file;
 pub(crate) mod mechanics;
 pub(crate) mod scene;

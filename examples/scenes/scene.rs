@@ -1,7 +1,7 @@
 //! From a scene file to a system on its way through time.
 
-use super::effect::{self, Effect};
-use super::error::{SceneError, Source};
+use super::effect::Effect;
+use super::effects::{FileError, Source, named};
 use super::file::{SceneFile, System};
 use super::mechanics;
 use mcp_core::dynamics::{
@@ -22,19 +22,15 @@ pub(crate) struct Scene {
 
 impl Scene {
     /// Reads a scene file.
-    pub(crate) fn read(path: &Path) -> Result<Self, SceneError> {
-        let file = path.display().to_string();
-        match std::fs::read_to_string(path) {
-            Ok(text) => Self::parse(&file, &text),
-            Err(reason) => Err(SceneError::File { file, reason }),
-        }
+    pub(crate) fn read(path: &Path) -> Result<Self, FileError> {
+        Source::read(path, |source| Self::parse(source.file, source.text))
     }
 
     /// The scene in `text`; `file` is its name in errors.
-    pub(crate) fn parse(file: &str, text: &str) -> Result<Self, SceneError> {
+    pub(crate) fn parse(file: &str, text: &str) -> Result<Self, FileError> {
         let source = Source { file, text };
         let scene: SceneFile = toml::from_str(text).map_err(|error| source.syntax(&error))?;
-        let effects = effect::named(&scene, &source)?;
+        let effects = named(&scene.effects, &scene, &source)?;
         let step = &scene.time.step;
         if !(*step.get_ref() > 0.0 && step.get_ref().is_finite()) {
             let message = format!("is {}, but must be a positive number", step.get_ref());
@@ -50,7 +46,7 @@ fn stepper(
     scene: &SceneFile,
     effects: &[Effect],
     source: &Source<'_>,
-) -> Result<Box<dyn TimeStepper>, SceneError> {
+) -> Result<Box<dyn TimeStepper>, FileError> {
     let bases = [
         !scene.body.is_empty(),
         !scene.element.is_empty(),
@@ -70,13 +66,11 @@ fn stepper(
             return Err(source.error(mass.span(), "effects", message));
         }
         let mass = mass.get_ref();
-        let model_error =
-            |error| SceneError::Model { file: source.file.to_owned(), error: Box::new(error) };
-        let mut first = ZhuravlevIvanov::new(mass.start).map_err(model_error)?;
+        let mut first = ZhuravlevIvanov::new(mass.start).map_err(|error| source.refused(error))?;
         (first.h, first.kappa) = (*scene.time.step.get_ref(), mass.kappa);
         first.gravity = mass.acceleration;
         let stepper = ZhuravlevIvanovStepper::new(first, Options::new(Method::Robust), true);
-        return Ok(Box::new(stepper.map_err(model_error)?));
+        return Ok(Box::new(stepper.map_err(|error| source.refused(error))?));
     }
     let system = match &scene.system {
         Some(system) => linear(system.get_ref(), scene, effects, source)?,
@@ -84,7 +78,7 @@ fn stepper(
     };
     let theta = scene.time.theta.as_ref().map_or(0.5, |theta| *theta.get_ref());
     let stepper = EulerMoreau::new(&system, *scene.time.step.get_ref(), theta, &step_options());
-    Ok(Box::new(stepper.map_err(|error| source.system(error))?))
+    Ok(Box::new(stepper.map_err(|error| source.refused(error))?))
 }
 
 /// A circuit; without the effect `diode` its diodes do not conduct: they are not there.
@@ -92,7 +86,7 @@ fn circuit(
     scene: &SceneFile,
     effects: &[Effect],
     source: &Source<'_>,
-) -> Result<ComplementaritySystem, SceneError> {
+) -> Result<ComplementaritySystem, FileError> {
     let mut circuit = Circuit::new();
     for element in &scene.element {
         let at = element.span();
@@ -122,7 +116,7 @@ fn circuit(
         let element = Element { name: element.name.clone(), kind, from, to };
         circuit.add(element).map_err(|error| source.error(at, "element", error.to_string()))?;
     }
-    circuit.system().map_err(|error| source.system(error))
+    circuit.system().map_err(|error| source.refused(error))
 }
 
 /// A linear system with relays and controllers.
@@ -131,7 +125,7 @@ fn linear(
     scene: &SceneFile,
     effects: &[Effect],
     source: &Source<'_>,
-) -> Result<ComplementaritySystem, SceneError> {
+) -> Result<ComplementaritySystem, FileError> {
     let at = scene.system.as_ref().map_or(0..0, toml::Spanned::span);
     let fault = |error: mcp_core::dynamics::DynamicsError| {
         source.error(at.clone(), "system", error.to_string())

@@ -2,6 +2,7 @@
 //! never heard of it, are the same step by step, bit for bit, in unknowns, nonzeros and operations.
 
 use super::files::effect::Effect;
+use super::files::effects::Effect as _;
 use super::files::scene::Scene;
 use super::{all, text_of};
 use toml::{Table, Value};
