@@ -68,6 +68,7 @@
 //! | \[Gay97\] | D. M. Gay (1997), Hooking your solver to AMPL. Bell Laboratories Technical Report 97-4-06 |
 //! | \[GLL86\] | L. Grippo, F. Lampariello, S. Lucidi (1986), A nonmonotone line search technique for Newton's method. SIAM J. Numer. Anal. 23 |
 //! | \[GV13\] | G. H. Golub, C. F. Van Loan (2013), Matrix Computations, 4th ed. Johns Hopkins |
+//! | \[GW08\] | A. Griewank, A. Walther (2008), Evaluating Derivatives, 2nd ed. SIAM |
 //! | \[HK73\] | J. E. Hopcroft, R. M. Karp (1973), An n^(5/2) algorithm for maximum matchings in bipartite graphs. SIAM J. Comput. 2 |
 //! | \[HS81\] | W. Hock, K. Schittkowski (1981), Test Examples for Nonlinear Programming Codes. Springer |
 //! | \[Jean99\] | M. Jean (1999), The non-smooth contact dynamics method. Comput. Methods Appl. Mech. Eng. 177 |

@@ -120,7 +120,7 @@ impl StepProblem {
         };
         let names: Vec<&str> = unknowns.iter().map(|u| u.name.as_str()).collect();
         Ok(StepProblem {
-            problem: AdProblem::new(model)?,
+            problem: AdProblem::changing(model)?,
             solver: Solver::new(options.clone())?,
             second: None,
             lambda: vec![0.0; n],

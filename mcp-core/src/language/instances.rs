@@ -1,22 +1,27 @@
 //! What the rows of every model call, compiled here in the arithmetics of a solve: the compiler takes
 //! an instance of a function that is never inlined from the crate that has it.
 
-use super::layout::{Layout, Sparse};
-use crate::model::{Asked, Reader};
-use crate::scalar::{Jet, Real, Scalar, Wide};
+use super::layout::Sparse;
+use crate::model::Reader;
+use crate::scalar::{Jet, Real, Scalar, Taped};
+
+/// Reads a variable, a definition or a parameter.
+type Number<D> = fn(&Reader<'_, D>, usize) -> Real<D>;
 
 /// Reads in one arithmetic.
 #[expect(dead_code, reason = "that there are these functions is what it is for")]
 struct Reads<D: Scalar> {
-    number: fn(&Reader<'_, D>, Asked, usize) -> Real<D>,
-    variable: fn(&Layout, &Reader<'_, D>, usize) -> Real<D>,
+    numbers: [Number<D>; 3],
     sparse_variable: fn(&Sparse, &Reader<'_, D>, usize) -> Real<D>,
 }
 
 impl<D: Scalar> Reads<D> {
     const ALL: Self = Reads {
-        number: |read, what, k| read.apart(what, k),
-        variable: Layout::variable_apart,
+        numbers: [
+            |read, j| read.variable(j),
+            |read, k| read.definition(k),
+            |read, k| read.parameter(k),
+        ],
         sparse_variable: Sparse::variable_apart,
     };
 }
@@ -31,17 +36,25 @@ struct Corners<J> {
     unknown: fn(J, J, f64) -> J,
 }
 
+impl<const N: usize> Corners<Jet<N>> {
+    const ALL: Self = Corners {
+        chain: Jet::chain_at_corner,
+        chain2: Jet::chain2_at_corner,
+        quotient: Jet::quotient_at_corner,
+        scale: Jet::scale_at_corner,
+        unknown: Jet::unknown,
+    };
+}
+
 #[used]
 static PLAIN: Reads<f64> = Reads::ALL;
 #[used]
+static NARROW: Reads<Jet<2>> = Reads::ALL;
+#[used]
 static JET: Reads<Jet<8>> = Reads::ALL;
 #[used]
-static WIDE: Reads<Wide> = Reads::ALL;
+static TAPED: Reads<Taped<'static>> = Reads::ALL;
 #[used]
-static CORNERS: Corners<Jet<8>> = Corners {
-    chain: Jet::chain_at_corner,
-    chain2: Jet::chain2_at_corner,
-    quotient: Jet::quotient_at_corner,
-    scale: Jet::scale_at_corner,
-    unknown: Jet::unknown,
-};
+static NARROW_CORNERS: Corners<Jet<2>> = Corners::ALL;
+#[used]
+static CORNERS: Corners<Jet<8>> = Corners::ALL;

@@ -118,11 +118,6 @@ impl Layout {
             None => Err(ModelError::TooManyElements { name: family.to_owned() }),
         }
     }
-
-    #[inline(never)]
-    pub(super) fn variable_apart<D: Scalar>(&self, read: &Reader<'_, D>, dense: usize) -> Real<D> {
-        read.var(self.offset + dense)
-    }
 }
 
 impl Elements for Layout {
@@ -147,11 +142,7 @@ impl Elements for Layout {
     }
     #[inline]
     fn variable<D: Scalar>(&self, read: &Reader<'_, D>, dense: usize) -> Real<D> {
-        if const { D::LANES == 0 } {
-            read.row(Asked::Variable, self.offset + dense)
-        } else {
-            self.variable_apart(read, dense)
-        }
+        read.row(Asked::Variable, self.offset + dense)
     }
 }
 

@@ -31,7 +31,7 @@ pub use family::{Block, Family, Values};
 pub(crate) use family::{MOST_ELEMENTS, combinations};
 pub(crate) use quantity::Quantity;
 pub use reader::Reader;
-pub(crate) use reader::{Asked, Local, Point, Reads, Recorder, Slots};
+pub(crate) use reader::{Asked, Give, Local, NO_LANE, OnTape, Point, Reads, Recorder, Slots};
 pub use set::Set;
 pub use shape::{Row, Shape};
 

@@ -1,8 +1,8 @@
 //! [`Reader`]: how a row gets at variables, definitions and parameters.
 
-use crate::scalar::{Real, Scalar};
+use crate::scalar::{Real, Scalar, Tape, Taped};
 use std::array::from_fn;
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::fmt;
 
 /// Gives a row the numbers it asks for, in the engine's arithmetic.
@@ -23,6 +23,7 @@ enum Source<'a, D: Scalar> {
         parameters: &'a [Real<D>],
     },
     Plain,
+    Local(&'a Local<'a>),
     /// Behind a pointer, so that a row of the user's is not compiled together with it.
     Other(&'a dyn Give<D>),
 }
@@ -70,13 +71,23 @@ impl<'a> Point<'a> {
     }
 }
 
+/// The slot of a number that carries no tangent.
+pub(crate) const NO_LANE: u32 = u32::MAX;
+
 /// Plain numbers that get their tangent in the moment they are read.
-#[derive(Clone, Copy, Debug)]
+#[derive(Debug)]
 pub(crate) struct Local<'a> {
     pub(crate) point: Point<'a>,
     pub(crate) slots: Slots<'a>,
     /// The first of the lanes that are carried.
-    pub(crate) first_lane: u32,
+    pub(crate) first_lane: Cell<u32>,
+}
+
+/// Plain numbers that get their node of a tape in the moment they are read.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct OnTape<'t> {
+    pub(crate) local: &'t Local<'t>,
+    pub(crate) tape: &'t Tape,
 }
 
 /// Plain numbers, and a note of everything that is read.
@@ -89,8 +100,8 @@ pub(crate) struct Recorder<'a> {
 /// For the row at hand: the lane of every variable and definition it reads.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Slots<'a> {
-    pub(crate) variables: &'a [u32],
-    pub(crate) definitions: &'a [u32],
+    pub(crate) variables: &'a [Cell<u32>],
+    pub(crate) definitions: &'a [Cell<u32>],
 }
 
 /// What a row read, in the order of its first reads, with repetitions.
@@ -123,6 +134,10 @@ impl<'a, D: Scalar> Reader<'a, D> {
         Reader { point, source: Source::Plain }
     }
 
+    pub(crate) fn local(local: &'a Local<'a>) -> Self {
+        Reader { point: Point::EMPTY, source: Source::Local(local) }
+    }
+
     pub(crate) fn other(give: &'a dyn Give<D>) -> Self {
         Reader { point: Point::EMPTY, source: Source::Other(give) }
     }
@@ -133,6 +148,7 @@ impl<'a, D: Scalar> Reader<'a, D> {
         match &self.source {
             Source::Lanes { z, .. } => z[j],
             Source::Plain => Real(D::constant(self.point.z[j])),
+            Source::Local(local) => local.var(j),
             Source::Other(give) => give.var(j),
         }
     }
@@ -143,6 +159,7 @@ impl<'a, D: Scalar> Reader<'a, D> {
         match &self.source {
             Source::Lanes { definitions, .. } => definitions[k],
             Source::Plain => Real(D::constant(self.point.definitions[k])),
+            Source::Local(local) => local.def(k),
             Source::Other(give) => give.def(k),
         }
     }
@@ -154,6 +171,7 @@ impl<'a, D: Scalar> Reader<'a, D> {
         match &self.source {
             Source::Lanes { parameters, .. } => parameters[k],
             Source::Plain => Real(D::constant(self.point.parameters[k])),
+            Source::Local(local) => local.param(k),
             Source::Other(give) => give.param(k),
         }
     }
@@ -165,18 +183,31 @@ impl<'a, D: Scalar> Reader<'a, D> {
         if const { D::LANES == 0 }
             && let Some(&value) = self.point.of(what).get(k)
         {
-            Real(D::constant(value))
-        } else {
-            self.apart(what, k)
+            return Real(D::constant(value));
+        }
+        match what {
+            Asked::Variable => self.variable(k),
+            Asked::Definition => self.definition(k),
+            Asked::Parameter => self.parameter(k),
         }
     }
     #[inline(never)]
-    pub(crate) fn apart(&self, what: Asked, k: usize) -> Real<D> {
-        match what {
-            Asked::Variable => self.var(k),
-            Asked::Definition => self.def(k),
-            Asked::Parameter => self.param(k),
+    pub(crate) fn variable(&self, j: usize) -> Real<D> {
+        match &self.source {
+            Source::Local(local) => local.var(j),
+            _ => self.var(j),
         }
+    }
+    #[inline(never)]
+    pub(crate) fn definition(&self, k: usize) -> Real<D> {
+        match &self.source {
+            Source::Local(local) => local.def(k),
+            _ => self.def(k),
+        }
+    }
+    #[inline(never)]
+    pub(crate) fn parameter(&self, k: usize) -> Real<D> {
+        self.param(k)
     }
 
     /// The first `N` variables at once.
@@ -192,15 +223,45 @@ impl<'a, D: Scalar> Reader<'a, D> {
     }
 }
 
-impl<D: Scalar> Give<D> for Local<'_> {
-    fn var(&self, j: usize) -> Real<D> {
-        seed(self.point.z[j], self.slots.variables[j], self.first_lane)
+impl Local<'_> {
+    #[inline]
+    fn var<D: Scalar>(&self, j: usize) -> Real<D> {
+        self.seed(self.point.z[j], &self.slots.variables[j])
     }
-    fn def(&self, k: usize) -> Real<D> {
-        seed(self.point.definitions[k], self.slots.definitions[k], self.first_lane)
+    #[inline]
+    fn def<D: Scalar>(&self, k: usize) -> Real<D> {
+        self.seed(self.point.definitions[k], &self.slots.definitions[k])
     }
-    fn param(&self, k: usize) -> Real<D> {
+    #[inline]
+    fn param<D: Scalar>(&self, k: usize) -> Real<D> {
         Real(D::constant(self.point.parameters[k]))
+    }
+    #[inline]
+    fn seed<D: Scalar>(&self, value: f64, slot: &Cell<u32>) -> Real<D> {
+        // A slot below the chunk wraps to a huge lane, which carries no tangent.
+        Real(D::seed(value, slot.get().wrapping_sub(self.first_lane.get()) as usize))
+    }
+}
+
+impl<'t> Give<Taped<'t>> for OnTape<'t> {
+    fn var(&self, j: usize) -> Real<Taped<'t>> {
+        self.read(self.local.point.z[j], &self.local.slots.variables[j])
+    }
+    fn def(&self, k: usize) -> Real<Taped<'t>> {
+        self.read(self.local.point.definitions[k], &self.local.slots.definitions[k])
+    }
+    fn param(&self, k: usize) -> Real<Taped<'t>> {
+        Real(Taped::constant(self.local.point.parameters[k]))
+    }
+}
+
+impl<'t> OnTape<'t> {
+    #[inline]
+    fn read(&self, value: f64, slot: &Cell<u32>) -> Real<Taped<'t>> {
+        Real(match slot.get() {
+            NO_LANE => Taped::constant(value),
+            lane => self.tape.read(value, lane),
+        })
     }
 }
 
@@ -217,12 +278,6 @@ impl<D: Scalar> Give<D> for Recorder<'_> {
         self.reads.borrow_mut().parameters.push(k);
         recorded(self.point.parameters, k)
     }
-}
-
-#[inline]
-fn seed<D: Scalar>(value: f64, slot: u32, first_lane: u32) -> Real<D> {
-    // A slot below the chunk wraps to a huge lane, which carries no tangent.
-    Real(D::seed(value, slot.wrapping_sub(first_lane) as usize))
 }
 
 /// NaN for a number that does not exist: the recorder reports it by name.

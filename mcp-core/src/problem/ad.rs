@@ -3,7 +3,7 @@
 use super::derived::{Derived, definitions};
 use super::lanes::Lanes;
 use super::record::{constants, record_rows, trace_whole};
-use super::rows::{ByJets, ByMagnitude, ByNumDual, Rows, RowsIn, pattern_of};
+use super::rows::{ByJets, ByMagnitude, ByNumDual, JetRows, Rows, pattern_of};
 use super::{Pattern, Problem};
 use crate::apart::Apart;
 use crate::error::ModelError;
@@ -17,7 +17,8 @@ use std::sync::Arc;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Engine {
-    /// [`Jet`]: 8 or 16 lanes for a row; for a function of fixed size 1, 2, 4, 8 or 16. The default.
+    /// [`Jet`]: 2 or 8 lanes for a row, above that a sweep back over its operations; for a function of
+    /// fixed size an even number up to 16. The default.
     #[default]
     Jet,
     /// num-dual's `DualSVec64<8>`: the independent second opinion.
@@ -96,7 +97,7 @@ impl<M: Model> AdProblem<M> {
     /// ```
     #[inline]
     pub fn reading(model: M, besides: &[(usize, usize)]) -> Result<Self, ModelError> {
-        Self::assemble(model, besides, jet_lanes, |rows| Box::new(ByJets(rows)))
+        Self::assemble(model, (besides, true), jet_lanes, |rows| Box::new(ByJets(rows)))
     }
 
     /// The same with derivatives by the given engine.
@@ -108,7 +109,7 @@ impl<M: Model> AdProblem<M> {
             Engine::Jet => Self::new(model),
             Engine::NumDual => Self::assemble(
                 model,
-                &[],
+                (&[], false),
                 |shape, pattern| Box::new(Lanes::<DualSVec64<8>>::new(shape, pattern)),
                 |rows| Box::new(ByNumDual::new(rows)),
             ),
@@ -138,7 +139,7 @@ impl<M: Model> AdProblem<M> {
     pub(super) fn of_magnitudes(model: M) -> Result<Self, ModelError> {
         Self::assemble(
             model,
-            &[],
+            (&[], false),
             |shape, pattern| Box::new(Lanes::<Magnitude<8>>::new(shape, pattern)),
             |rows| Box::new(ByMagnitude::new(rows)),
         )
@@ -147,7 +148,7 @@ impl<M: Model> AdProblem<M> {
     #[inline]
     fn assemble(
         model: M,
-        besides: &[(usize, usize)],
+        (besides, with_constants): (&[(usize, usize)], bool),
         lanes: impl FnOnce(&Shape, &Pattern) -> Box<dyn Pass<M>>,
         rows: impl FnOnce(Apart<Rows>) -> Box<dyn Pass<M>>,
     ) -> Result<Self, ModelError> {
@@ -158,7 +159,7 @@ impl<M: Model> AdProblem<M> {
             let pass = lanes(&shape, &pattern);
             (pattern, pass)
         } else {
-            let (pattern, workspace) = recorded(&model, &shape, besides)?;
+            let (pattern, workspace) = recorded(&model, &shape, besides, with_constants)?;
             (pattern, rows(workspace))
         };
         Ok(AdProblem { model, shape, pattern, pass })
@@ -169,7 +170,13 @@ impl<M: Model> AdProblem<M> {
         &self.model
     }
 
-    /// The model, whose data may be changed as long as its shape and what its rows read stay.
+    /// For a model whose data change: no derivative is taken for constant.
+    pub(crate) fn changing(model: M) -> Result<Self, ModelError> {
+        Self::assemble(model, (&[], false), jet_lanes, |rows| Box::new(ByJets(rows)))
+    }
+
+    /// The model of a problem made by [`changing`](Self::changing), whose data may be changed as long
+    /// as its shape and what its rows read stay.
     pub(crate) fn model_mut(&mut self) -> &mut M {
         &mut self.model
     }
@@ -315,10 +322,11 @@ impl<M: Model> AdProblem<M> {
 
 /// Pattern and workspace of a model given row by row. Not generic: compiled here, not with every
 /// model.
-fn recorded(
-    model: &dyn RowsIn<f64>,
+pub(super) fn recorded(
+    model: &dyn JetRows,
     shape: &Shape,
     besides: &[(usize, usize)],
+    with_constants: bool,
 ) -> Result<(Pattern, Apart<Rows>), ModelError> {
     let n = shape.n();
     if let Some(&(i, j)) = besides.iter().find(|(i, j)| *i.max(j) >= n) {
@@ -327,7 +335,9 @@ fn recorded(
     }
     let recorded = record_rows(model, shape, besides)?;
     let pattern = pattern_of(shape, &recorded);
-    let rows = Rows::new(shape, &recorded, &pattern);
+    // What is read beside the recorded may matter anywhere.
+    let surveyed = (with_constants && besides.is_empty()).then_some(model);
+    let rows = Rows::new(surveyed, shape, &recorded, &pattern);
     Ok((pattern, Apart::new(rows)))
 }
 
@@ -346,30 +356,28 @@ fn check_whole(whole: Option<usize>, shape: &Shape) -> Result<(), ModelError> {
     }
 }
 
-/// Dense lanes for a model of one function: the smallest sufficient number. Branches on a constant,
-/// so that only one of the arithmetics is compiled for a model.
+/// Dense lanes for a model of one function. Branches on a constant, so that only one of the
+/// arithmetics is compiled for a model.
 fn jet_lanes<M: Model>(shape: &Shape, pattern: &Pattern) -> Box<dyn Pass<M>> {
-    if const { lanes_for(M::WHOLE) == 1 } {
-        Box::new(Lanes::<Jet<1>>::new(shape, pattern))
-    } else if const { lanes_for(M::WHOLE) == 2 } {
-        Box::new(Lanes::<Jet<2>>::new(shape, pattern))
-    } else if const { lanes_for(M::WHOLE) == 4 } {
-        Box::new(Lanes::<Jet<4>>::new(shape, pattern))
-    } else if const { lanes_for(M::WHOLE) == 8 } {
-        Box::new(Lanes::<Jet<8>>::new(shape, pattern))
-    } else {
-        Box::new(Lanes::<Jet<16>>::new(shape, pattern))
+    macro_rules! lanes {
+        ($($count:literal)*) => {
+            $(if const { lanes_for(M::WHOLE) == $count } {
+                Box::new(Lanes::<Jet<$count>>::new(shape, pattern))
+            } else)* {
+                Box::new(Lanes::<Jet<16>>::new(shape, pattern))
+            }
+        };
     }
+    lanes!(1 2 4 6 8 10 12 14)
 }
 
-/// The smallest of 1, 2, 4, 8, 16 lanes that covers `n` variables, 16 above.
+/// Lanes for `n` variables: as few as carry them in passes of at most 16, an even number, since lanes
+/// are computed in pairs at least.
 pub(super) const fn lanes_for(whole: Option<usize>) -> usize {
     match whole {
-        Some(0..=1) => 1,
-        Some(2) => 2,
-        Some(3..=4) => 4,
-        Some(5..=8) => 8,
-        _ => 16,
+        Some(0 | 1) => 1,
+        Some(n) => n.div_ceil(n.div_ceil(16)).next_multiple_of(2),
+        None => 16,
     }
 }
 

@@ -13,7 +13,8 @@ pub(super) struct Lanes<D: Scalar> {
     plain: Vec<Real<f64>>,
     /// The variable each row is paired with.
     variable_of_row: Vec<usize>,
-    /// The row of every structural nonzero, in the order of the pattern.
+    /// The row of every structural nonzero, in the order of the pattern; nothing if all entries are
+    /// there and row `i` belongs to variable `i`.
     row_of_entry: Vec<usize>,
 }
 
@@ -22,13 +23,16 @@ impl<D: Scalar> Lanes<D> {
         let zero = Real(D::constant(0.0));
         let rows = shape.row_count();
         let row_of = |i: &usize| shape.row_of_variable(*i).expect("an entry belongs to a row");
+        let variable_of_row: Vec<usize> = (0..rows).map(|row| shape.variable_of_row(row)).collect();
+        let is_dense = pattern.nnz() == rows * rows && variable_of_row.is_sorted();
+        let entries = if is_dense { &[] } else { pattern.rows() };
         Lanes {
             z: vec![zero; shape.n()],
             f: vec![zero; rows],
             parameters: vec![zero; shape.parameter_values().len()],
             plain: vec![Real(0.0); rows],
-            variable_of_row: (0..rows).map(|row| shape.variable_of_row(row)).collect(),
-            row_of_entry: pattern.rows().iter().map(row_of).collect(),
+            variable_of_row,
+            row_of_entry: entries.iter().map(row_of).collect(),
         }
     }
 
@@ -68,8 +72,17 @@ impl<M: Model, D: Scalar> Pass<M> for Lanes<D> {
             }
             model.whole(&Reader::lanes(&self.z, &[], &self.parameters), &mut self.f);
             for j in first..n.min(first + D::LANES) {
-                for k in pattern.column(j) {
-                    jac[k] = self.f[self.row_of_entry[k]].0.tangent(j - first);
+                let (lane, column) = (j - first, pattern.column(j));
+                if self.row_of_entry.is_empty() {
+                    for (entry, f) in jac[column].iter_mut().zip(&self.f) {
+                        *entry = f.0.tangent(lane);
+                    }
+                } else {
+                    for (entry, &row) in
+                        jac[column.clone()].iter_mut().zip(&self.row_of_entry[column])
+                    {
+                        *entry = self.f[row].0.tangent(lane);
+                    }
                 }
             }
         }

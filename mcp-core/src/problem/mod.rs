@@ -4,19 +4,23 @@
 //! pass gives `F` and `J` together:
 //!
 //! - a model whose rows come from one function of fixed size is run once over all variables with
-//!   one lane each (chunks of 16 above 16 variables): cost `⌈n/16⌉` passes;
+//!   one lane each (at most 16 at a time, an even number): cost `⌈n/16⌉` passes;
 //! - a model given row by row is run row by row, and a row carries only the lanes of the variables
-//!   and definitions it reads. `J = ∂f/∂z + ∂f/∂d · ∂d/∂z` is assembled sparsely. Cost: for a row
-//!   that reads `k` numbers, one evaluation with `k` lanes, in chunks of 16.
+//!   and definitions by which its derivative is not the same at every point; the others are found
+//!   once and copied. `J = ∂f/∂z + ∂f/∂d · ∂d/∂z` is assembled sparsely. Cost: one evaluation with 2
+//!   lanes for up to 2, with 8 for up to 8, and above that one evaluation on a tape with one sweep
+//!   back, whatever the number.
 //!
-//! A function has the smallest of 1, 2, 4, 8, 16 lanes that suffices, a row 8 or 16: a user's compiler
-//! meets every row once for each count. The pattern comes from the reads of every row, recorded once.
+//! A user's compiler meets every row once for each of these and once in plain numbers. The pattern
+//! comes from the reads of every row, recorded once.
 
 mod ad;
+mod constants;
 mod counting;
 mod derivative_check;
 mod derived;
 mod lanes;
+mod local;
 mod operations;
 mod pattern;
 mod plan;

@@ -1,8 +1,8 @@
 //! Scalar operations of one evaluation of `J`, counted.
 
 use super::AdProblem;
-use super::ad::lanes_for;
-use super::record::{all_rows, block, constants, record_rows};
+use super::ad::{lanes_for, recorded};
+use super::record::{all_rows, block, constants};
 use super::rows::{Kind, RowsIn};
 use crate::model::{Model, Reader, Row};
 use crate::scalar::{Counted, Jet, Real, Scalar, Tally};
@@ -14,10 +14,12 @@ impl<M: Model> AdProblem<M> {
     /// Operations of one evaluation of `J` with [`Jet`]s: values, and tangents in all lanes that are
     /// carried, whether they are zero or not.
     ///
-    /// A row that reads `k` numbers is evaluated with 8 lanes, or 16 for every 16 of them, and takes
-    /// `⌈k/L⌉ (a + L t)` operations: `a` those of its value, `t` those of one tangent. A function of
-    /// fixed size `n` likewise, once for all rows. The chain rule through definitions takes two more
-    /// for every variable of every definition that is read.
+    /// A row takes `a` operations for its value and `t` for one tangent. Derivatives that are the same
+    /// at every point take none. A row with `k` others takes `a + L t`, with `L = 2` lanes for `k <= 2`
+    /// and 8 for `k <= 8`, and `a + 2 t` above: slopes of all operations, and one sweep back over them.
+    /// A function of fixed size takes `a + L t` in all rows together for every `L` of its variables, at
+    /// most 16. The chain rule through definitions takes two more for every variable of every
+    /// definition by which a derivative is carried.
     ///
     /// ```
     /// # use mcp_core::{AdProblem, Real, Scalar, mcp_fn};
@@ -44,7 +46,7 @@ impl<M: Model> AdProblem<M> {
             model.whole(&Reader::lanes(&z, &[], &constants(shape.parameter_values())), &mut f);
             return Ok(in_lanes(value, tally.counts().total(), shape.n(), lanes_for(M::WHOLE)));
         }
-        let recorded = record_rows(model, shape, &[])?;
+        let (_, workspace) = recorded(model, shape, &[], true)?;
         let rows = all_rows(shape.equations().map(block));
         let definitions = all_rows(shape.definitions().iter().map(block));
         let all: Vec<(Kind, Row)> = definitions
@@ -54,18 +56,18 @@ impl<M: Model> AdProblem<M> {
         let tally = Tally::new();
         let values = self.counted(&tally, &all, |z| Real(tally.variable(z)));
         let tangents = self.counted(&tally, &all, |z| tangent(&tally, z));
-        let reads = recorded.definitions.all().chain(recorded.rows.all());
+        let carried = workspace.plan().carried();
         let mut total = 0;
-        for ((value, with_tangent), reads) in values.into_iter().zip(tangents).zip(reads) {
-            let lanes = reads.variables.len() + reads.definitions.len();
+        for ((value, with_tangent), (lanes, chained)) in
+            values.into_iter().zip(tangents).zip(carried)
+        {
             total += match lanes {
                 0 => value,
-                1..=8 => in_lanes(value, with_tangent, lanes, 8),
-                _ => in_lanes(value, with_tangent, lanes, 16),
+                1..=2 => in_lanes(value, with_tangent, lanes, 2),
+                3..=8 => in_lanes(value, with_tangent, lanes, 8),
+                _ => value + 2 * (with_tangent - value),
             };
-            let supports =
-                reads.definitions.iter().map(|&d| recorded.definition_supports[d as usize].len());
-            total += 2 * supports.sum::<usize>() as u64;
+            total += 2 * chained as u64;
         }
         Ok(total)
     }
@@ -123,18 +125,18 @@ mod tests {
 
     #[test]
     fn a_function_carries_the_lanes_it_is_compiled_with() {
-        // 5 products; 3 operations a tangent; 8 lanes.
+        // 5 products; 3 operations a tangent; 6 lanes.
         let problem = AdProblem::new(Products::new().unwrap()).unwrap();
         assert_eq!(problem.operations().total(), 5);
-        assert_eq!(problem.jacobian_operations(), Ok(5 * (1 + 8 * 3)));
+        assert_eq!(problem.jacobian_operations(), Ok(5 * (1 + 6 * 3)));
     }
 
     #[test]
-    fn rows_carry_eight_lanes_and_pay_for_the_chain_rule() {
+    fn rows_carry_what_is_not_constant_and_pay_for_the_chain_rule() {
         let problem = AdProblem::new(Shared::builder().build().unwrap()).unwrap();
-        // The sum: two additions, and two for a tangent. Each row: a product of two reads, 8 lanes,
-        // and three products and sums by the definition's variables.
-        let (sum, row) = (2 * (1 + 8), 1 + 8 * 3 + 2 * 3);
+        // The sum: two additions, and no tangent. Each row: a product of two reads, 2 lanes, and three
+        // products and sums by the definition's variables.
+        let (sum, row) = (2, 1 + 2 * 3 + 2 * 3);
         assert_eq!(problem.jacobian_operations(), Ok(sum + 3 * row));
     }
 }

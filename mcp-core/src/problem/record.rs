@@ -36,16 +36,6 @@ impl ReadTable {
         RowReads { variables: &self.variables[range(0)], definitions: &self.definitions[range(1)] }
     }
 
-    /// What each row reads.
-    pub(super) fn all(&self) -> impl Iterator<Item = RowReads<'_>> {
-        (0..self.len()).map(|k| self.row(k))
-    }
-
-    /// How many variables and definitions all rows read.
-    pub(super) fn sizes(&self) -> [usize; 2] {
-        [self.variables.len(), self.definitions.len()]
-    }
-
     fn push(&mut self, reads: &Reads) {
         self.variables.extend(reads.variables.iter().map(|&j| small(j)));
         self.definitions.extend(reads.definitions.iter().map(|&d| small(d)));

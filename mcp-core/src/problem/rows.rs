@@ -5,16 +5,16 @@
 
 use super::Pattern;
 use super::ad::Pass;
+use super::constants::{Constants, Survey};
+use super::local::{LaneChoice, LocalRow};
 use super::plan::{Plan, RowPlan};
-use super::record::{Recorded, all_rows, small, support_of};
+use super::record::{Recorded, all_rows, support_of};
 use crate::apart::Apart;
-use crate::model::{Local, Model, Point, Reader, Row, Shape, Slots};
-use crate::scalar::{Jet, Magnitude, Real, Scalar, Wide};
+use crate::model::{Local, Model, OnTape, Point, Reader, Row, Shape};
+use crate::scalar::{Jet, Magnitude, Real, Scalar, Tape, Taped};
 use num_dual::DualSVec64;
+use std::cell::{Cell, RefCell};
 use std::marker::PhantomData;
-
-/// The slot of a number that the row at hand does not read: it carries no tangent.
-const NO_LANE: u32 = u32::MAX;
 
 /// Rows of a model in one arithmetic, whatever the model.
 pub(super) trait RowsIn<D: Scalar> {
@@ -31,184 +31,113 @@ impl<M: Model, D: Scalar> RowsIn<D> for M {
     }
 }
 
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Kind {
     Equation,
     Definition,
 }
 
-/// Rows with derivatives, in an arithmetic that is chosen by their number of lanes.
-pub(super) trait LaneChoice {
-    /// Evaluates `row`, gives the derivative in each lane to `put` in order, returns the value.
-    fn evaluate(&self, row: &LocalRow<'_>, put: &mut impl FnMut(usize, f64)) -> f64;
+/// Rows in plain numbers, in jets and on a tape.
+pub(super) trait JetRows:
+    RowsIn<f64> + RowsIn<Jet<2>> + RowsIn<Jet<8>> + for<'t> RowsIn<Taped<'t>>
+{
 }
-
-/// Rows in plain numbers and in those of [`Jets`].
-pub(super) trait JetRows: RowsIn<f64> + RowsIn<Jet<8>> + RowsIn<Wide> {}
 
 impl<M: Model> JetRows for M {}
 
-/// [`Jet`] with 8 or 16 lanes at a time: few counts, because a user's compiler meets every row once
-/// for each. One of 4 gains nothing for narrow rows.
-struct Jets<'a>(&'a dyn JetRows);
+/// Narrow rows forward, in [`Jet`]s, wide rows backward, on a tape. Few arithmetics, because a user's
+/// compiler meets every row once for each.
+struct Jets<'a> {
+    rows: &'a dyn JetRows,
+    tape: &'a Tape,
+    adjoints: RefCell<Vec<f64>>,
+}
 
 impl LaneChoice for Jets<'_> {
-    fn evaluate(&self, row: &LocalRow<'_>, put: &mut impl FnMut(usize, f64)) -> f64 {
+    #[inline]
+    fn evaluate(&self, row: &LocalRow<'_>, mut put: impl FnMut(usize, f64)) -> f64 {
         match row.lanes {
-            0 => row.value(self.0),
-            1..=8 => row.evaluate::<Jet<8>>(self.0, put),
-            _ => row.evaluate::<Wide>(self.0, put),
+            0 => row.value(self.rows),
+            1..=2 => row.in_lanes::<Jet<2>>(self.rows, put),
+            3..=8 => row.in_lanes::<Jet<8>>(self.rows, put),
+            lanes => {
+                let adjoints = &mut *self.adjoints.borrow_mut();
+                let value = on_tape(self.rows, row, self.tape, adjoints);
+                for (lane, &derivative) in adjoints[..lanes].iter().enumerate() {
+                    put(lane, derivative);
+                }
+                value
+            }
         }
     }
+}
+
+/// Not generic: compiled here, once.
+fn on_tape(rows: &dyn JetRows, row: &LocalRow<'_>, tape: &Tape, adjoints: &mut Vec<f64>) -> f64 {
+    row.on_tape(rows, &OnTape { local: row.local, tape }, adjoints)
 }
 
 /// One arithmetic for all rows.
 struct Always<'a, D>(&'a dyn RowsIn<D>);
 
 impl<D: Scalar> LaneChoice for Always<'_, D> {
-    fn evaluate(&self, row: &LocalRow<'_>, put: &mut impl FnMut(usize, f64)) -> f64 {
-        row.evaluate(self.0, put)
-    }
-}
-
-/// One equation or definition at a point, with the lanes of what it reads.
-pub(super) struct LocalRow<'a> {
-    kind: Kind,
-    row: Row,
-    point: Point<'a>,
-    slots: Slots<'a>,
-    lanes: usize,
-}
-
-impl LocalRow<'_> {
-    fn value(&self, rows: &(impl RowsIn<f64> + ?Sized)) -> f64 {
-        rows.row_in(self.kind, self.row, &Reader::plain(self.point)).0
-    }
-
-    /// One evaluation for every `D::LANES` lanes.
-    fn evaluate<D: Scalar>(
-        &self,
-        rows: &(impl RowsIn<D> + ?Sized),
-        put: &mut impl FnMut(usize, f64),
-    ) -> f64 {
-        let mut first = 0;
-        loop {
-            let local = Local { point: self.point, slots: self.slots, first_lane: small(first) };
-            let result = rows.row_in(self.kind, self.row, &Reader::other(&local)).0;
-            for k in first..self.lanes.min(first + D::LANES) {
-                put(k, result.tangent(k - first));
-            }
-            first += D::LANES;
-            if first >= self.lanes {
-                return result.value();
-            }
-        }
-    }
-}
-
-impl Plan {
-    /// Value of a row; its derivatives by variables go to the row's targets in `gradient`.
-    /// `known` are the gradients of the definitions it may read.
-    fn differentiate(
-        &self,
-        (model, kind, plan): (&impl LaneChoice, Kind, &RowPlan),
-        point: Point<'_>,
-        slots: &mut SlotTable,
-        known: &[f64],
-        gradient: &mut [f64],
-    ) -> f64 {
-        let variables = &self.variables_read[plan.variables.clone()];
-        let definitions = &self.definitions_read[plan.definitions.clone()];
-        let targets = &self.targets[plan.targets.clone()];
-        slots.assign(variables, definitions);
-        let lanes = variables.len() + definitions.len();
-        let row = LocalRow { kind, row: plan.row, point, slots: slots.view(), lanes };
-        let mut used = variables.len();
-        // Every entry belongs to one row. Variables come first, each with a target of its own.
-        for &target in &targets[used..] {
-            gradient[target as usize] = 0.0;
-        }
-        let value = model.evaluate(&row, &mut |lane, derivative| {
-            if lane < variables.len() {
-                gradient[targets[lane] as usize] = derivative;
-                return;
-            }
-            // ∂f/∂d · ∂d/∂z; lanes arrive in order, and so do their targets.
-            let support = self.gradient_of[definitions[lane - variables.len()] as usize].clone();
-            for (&target, &by_variable) in targets[used..].iter().zip(&known[support.clone()]) {
-                if by_variable != 0.0 {
-                    gradient[target as usize] += derivative * by_variable;
-                }
-            }
-            used += support.len();
-        });
-        slots.clear(variables, definitions);
-        value
-    }
-}
-
-/// The lane of every variable and definition that the row at hand reads.
-#[derive(Debug)]
-struct SlotTable {
-    variables: Vec<u32>,
-    definitions: Vec<u32>,
-}
-
-impl SlotTable {
-    fn assign(&mut self, variables: &[u32], definitions: &[u32]) {
-        let mut lane = 0;
-        for &j in variables {
-            self.variables[j as usize] = lane;
-            lane += 1;
-        }
-        for &d in definitions {
-            self.definitions[d as usize] = lane;
-            lane += 1;
-        }
-    }
-
-    fn clear(&mut self, variables: &[u32], definitions: &[u32]) {
-        for &j in variables {
-            self.variables[j as usize] = NO_LANE;
-        }
-        for &d in definitions {
-            self.definitions[d as usize] = NO_LANE;
-        }
-    }
-
-    fn view(&self) -> Slots<'_> {
-        Slots { variables: &self.variables, definitions: &self.definitions }
+    fn evaluate(&self, row: &LocalRow<'_>, put: impl FnMut(usize, f64)) -> f64 {
+        row.in_lanes(self.0, put)
     }
 }
 
 /// Workspace of row-by-row evaluation.
 pub(super) struct Rows {
     plan: Plan,
-    slots: SlotTable,
+    constants: Constants,
+    work: Work,
     definition_values: Vec<f64>,
     /// Gradients of all definitions by the variables of their supports, one after the other.
     gradients: Vec<f64>,
 }
 
+/// What the evaluation of one row needs beside the row.
+struct Work {
+    survey: Survey,
+    /// By the definitions that the row reads.
+    by_definitions: Vec<f64>,
+    /// By the variables of a support.
+    sum: Vec<f64>,
+}
+
 impl Rows {
-    pub(super) fn new(shape: &Shape, recorded: &Recorded, pattern: &Pattern) -> Self {
-        let plan = Plan::new(shape, recorded, pattern);
-        let definitions = plan.definitions.ends.len();
+    /// With `rows`, derivatives that are the same at every point are found.
+    pub(super) fn new(
+        rows: Option<&dyn JetRows>,
+        shape: &Shape,
+        recorded: &Recorded,
+        pattern: &Pattern,
+    ) -> Self {
+        let definitions = recorded.definitions.len();
+        let mut survey = Survey::new(shape.n(), definitions);
+        let (plan, constants) = Plan::new(rows, shape, recorded, pattern, &mut survey);
+        let [most_definitions, most_variables] = plan.largest();
         Rows {
-            slots: SlotTable {
-                variables: vec![NO_LANE; shape.n()],
-                definitions: vec![NO_LANE; definitions],
+            work: Work {
+                survey,
+                by_definitions: Vec::with_capacity(most_definitions),
+                sum: Vec::with_capacity(most_variables),
             },
             definition_values: vec![0.0; definitions],
-            gradients: vec![0.0; plan.gradient_of.last().map_or(0, |range| range.end)],
+            gradients: vec![0.0; plan.gradient_entries()],
             plan,
+            constants,
         }
     }
 
+    pub(super) fn plan(&self) -> &Plan {
+        &self.plan
+    }
+
     fn residual(&mut self, rows: &dyn RowsIn<f64>, z: &[f64], parameters: &[f64], f: &mut [f64]) {
-        for (k, plan) in self.plan.definitions.rows().enumerate() {
+        for (k, row) in self.plan.definitions.rows().enumerate() {
             let point = Point { z, definitions: &self.definition_values, parameters };
-            let value = rows.row_in(Kind::Definition, plan.row, &Reader::plain(point));
+            let value = rows.row_in(Kind::Definition, row, &Reader::plain(point));
             self.definition_values[k] = value.0;
         }
         let point = Point { z, definitions: &self.definition_values, parameters };
@@ -229,12 +158,20 @@ impl Rows {
         mut f: Option<&mut [f64]>,
         jac: &mut [f64],
     ) {
-        let Rows { plan, slots, definition_values, gradients } = self;
+        let Rows { plan, constants, work, definition_values, gradients } = self;
+        constants.start(jac, gradients);
+        let Work { survey, by_definitions, sum, .. } = work;
+        let slots = survey.table.slots();
+        let mut here = plan.definitions.start;
         for (k, row) in plan.definitions.rows().enumerate() {
             let (known, own) = gradients.split_at_mut(plan.gradient_of[k].start);
             let point = Point { z, definitions: definition_values, parameters };
-            let row = (rows, Kind::Definition, &row);
-            definition_values[k] = plan.differentiate(row, point, slots, known, own);
+            let local = Local { point, slots, first_lane: Cell::new(0) };
+            let carried = plan.row(&plan.definitions, k, &mut here);
+            let lanes = carried.lanes();
+            let row = LocalRow { kind: Kind::Definition, row, local: &local, lanes };
+            let work = (&mut *by_definitions, &mut *sum);
+            definition_values[k] = plan.differentiate(rows, &row, &carried, work, (known, own));
         }
         if let Some(f) = &mut f
             && f.len() > plan.variable_of_row.len()
@@ -242,11 +179,23 @@ impl Rows {
             f.fill(0.0);
         }
         let point = Point { z, definitions: definition_values, parameters };
-        for (row, &i) in plan.equations.rows().zip(&plan.variable_of_row) {
-            let row = (rows, Kind::Equation, &row);
-            let value = plan.differentiate(row, point, slots, gradients, jac);
-            if let Some(f) = &mut f {
-                f[i as usize] = value;
+        let local = Local { point, slots, first_lane: Cell::new(0) };
+        let (mut here, mut number) = (plan.equations.start, 0);
+        for &(family, length) in &plan.equations.blocks {
+            for index in 0..length {
+                let carried = plan.row(&plan.equations, number, &mut here);
+                let (row, lanes) = (Row { family, index }, carried.lanes());
+                let i = plan.variable_of_row[number] as usize;
+                number += 1;
+                if lanes == 0 && f.is_none() {
+                    continue;
+                }
+                let row = LocalRow { kind: Kind::Equation, row, local: &local, lanes };
+                let work = (&mut *by_definitions, &mut *sum);
+                let value = plan.differentiate(rows, &row, &carried, work, (gradients, jac));
+                if let Some(f) = &mut f {
+                    f[i] = value;
+                }
             }
         }
     }
@@ -256,10 +205,138 @@ impl Rows {
         &mut self,
         rows: &dyn JetRows,
         at: (&[f64], &[f64]),
+        pattern: &Pattern,
         f: Option<&mut [f64]>,
         jac: &mut [f64],
     ) {
-        self.jacobian(&Jets(rows), at, f, jac);
+        if self.constants.exist && self.constants.parameters != at.1 {
+            self.find_constants(rows, at, pattern);
+        }
+        let tape = Tape::over(std::mem::take(&mut self.work.survey.memory));
+        let adjoints = RefCell::new(std::mem::take(&mut self.work.survey.derivatives));
+        let jets = Jets { rows, tape: &tape, adjoints };
+        self.jacobian(&jets, at, f, jac);
+        self.work.survey.derivatives = jets.adjoints.into_inner();
+        self.work.survey.memory = tape.into_memory();
+    }
+
+    /// Finds the constant derivatives for these parameters.
+    fn find_constants(
+        &mut self,
+        rows: &dyn JetRows,
+        (z, parameters): (&[f64], &[f64]),
+        pattern: &Pattern,
+    ) {
+        let Rows { plan, constants, work, definition_values, .. } = self;
+        constants.clear(plan, pattern, parameters);
+        for kind in [Kind::Definition, Kind::Equation] {
+            for (number, row) in plan.sequence(kind).rows().enumerate() {
+                let point = Point { z, definitions: definition_values, parameters };
+                let value = work.survey.run(rows, (kind, row), point);
+                if kind == Kind::Definition {
+                    definition_values[number] = value;
+                }
+                constants.add(plan, (kind, number), pattern, &work.survey);
+            }
+        }
+    }
+}
+
+impl Plan {
+    /// Value of a row; its derivatives by variables are added to the row's targets in `gradient`.
+    /// `known` are the gradients of the definitions it may read.
+    #[inline(always)]
+    #[allow(clippy::inline_always, reason = "it stands in two loops")]
+    fn differentiate(
+        &self,
+        rows: &impl LaneChoice,
+        row: &LocalRow<'_>,
+        carried: &RowPlan<'_>,
+        (by_definitions, sum): (&mut Vec<f64>, &mut Vec<f64>),
+        (known, gradient): (&[f64], &mut [f64]),
+    ) -> f64 {
+        let RowPlan { variables, definitions, targets } = *carried;
+        let slots = &row.local.slots;
+        slots.assign(variables, definitions);
+        by_definitions.clear();
+        let (own, targets) = targets.split_at(variables.len());
+        let value = rows.evaluate(row, |lane, derivative| match own.get(lane) {
+            Some(&target) => gradient[target as usize] += derivative,
+            None => by_definitions.push(derivative),
+        });
+        slots.clear(variables, definitions);
+        if !definitions.is_empty() {
+            self.chain(definitions, by_definitions, sum, targets, (known, gradient));
+        }
+        value
+    }
+
+    /// `∂f/∂d · ∂d/∂z` of all definitions that a row reads.
+    fn chain(
+        &self,
+        definitions: &[u32],
+        mut factors: &[f64],
+        sum: &mut Vec<f64>,
+        mut targets: &[u32],
+        (known, gradient): (&[f64], &mut [f64]),
+    ) {
+        let by_variables = |d: u32| &known[self.gradient_of[d as usize].clone()];
+        for group in self.supports.groups(definitions) {
+            let (own_factors, rest) = factors.split_at(group.len());
+            factors = rest;
+            let (own, rest) = targets.split_at(self.gradient_of[group[0] as usize].len());
+            targets = rest;
+            if let ([d], [factor], [target]) = (group, own_factors, own) {
+                let by_variable = by_variables(*d)[0];
+                if by_variable != 0.0 {
+                    gradient[*target as usize] += factor * by_variable;
+                }
+                continue;
+            }
+            sum.clear();
+            sum.resize(own.len(), 0.0);
+            let (fours, rest) = group.as_chunks::<4>();
+            let (four_factors, rest_factors) = own_factors.as_chunks::<4>();
+            for (four, factors) in fours.iter().zip(four_factors) {
+                add_four_products(sum, *factors, four.map(by_variables));
+            }
+            for (&d, &factor) in rest.iter().zip(rest_factors) {
+                add_product(sum, factor, by_variables(d));
+            }
+            for (&target, derivative) in own.iter().zip(&*sum) {
+                gradient[target as usize] += derivative;
+            }
+        }
+    }
+}
+
+/// `sum += ∂f/∂d · ∂d/∂z`; entries that are 0 stay out where the factor is not finite.
+fn add_product(sum: &mut [f64], factor: f64, gradient: &[f64]) {
+    if factor.is_finite() {
+        for (sum, by_variable) in sum.iter_mut().zip(gradient) {
+            *sum += factor * by_variable;
+        }
+    } else {
+        for (sum, by_variable) in sum.iter_mut().zip(gradient).filter(|(_, by)| **by != 0.0) {
+            *sum += factor * by_variable;
+        }
+    }
+}
+
+/// [`add_product`] of four definitions, in one pass over the sum.
+fn add_four_products(sum: &mut [f64], factors: [f64; 4], gradients: [&[f64]; 4]) {
+    if !factors.into_iter().all(f64::is_finite) {
+        for (factor, gradient) in factors.into_iter().zip(gradients) {
+            add_product(sum, factor, gradient);
+        }
+        return;
+    }
+    let n = sum.len();
+    let [a, b, c, d] = gradients;
+    let (a, b, c, d) = (&a[..n], &b[..n], &c[..n], &d[..n]);
+    for j in 0..n {
+        let two = sum[j] + factors[0] * a[j] + factors[1] * b[j];
+        sum[j] = two + factors[2] * c[j] + factors[3] * d[j];
     }
 }
 
@@ -294,11 +371,11 @@ impl<M: Model> Pass<M> for ByJets {
         &mut self,
         model: &M,
         at: (&[f64], &[f64]),
-        _pattern: &Pattern,
+        pattern: &Pattern,
         f: Option<&mut [f64]>,
         jac: &mut [f64],
     ) {
-        self.0.jacobian_by_jets(model, at, f, jac);
+        self.0.jacobian_by_jets(model, at, pattern, f, jac);
     }
 }
 

@@ -28,8 +28,13 @@ pub struct Jet<const N: usize, T: Scalar = f64> {
 
 impl<const N: usize, T: Scalar> Jet<N, T> {
     /// The independent variable `v` (itself an element of the base arithmetic) in `lane`.
+    #[inline]
     pub fn variable(v: T, lane: usize) -> Self {
-        Jet { v, d: lanes(|k| T::constant(if k == lane { 1.0 } else { 0.0 })) }
+        if N > UNIT_AT {
+            return Jet { v, d: lanes(|k| T::constant(if k == lane { 1.0 } else { 0.0 })) };
+        }
+        let first = UNIT_AT - if lane < N { lane } else { UNIT_AT };
+        Jet { v, d: lanes(|k| T::constant(UNIT[first + k])) }
     }
 
     /// `f(x)` with `f(x) = v`, `f'(x) = slope`. Zero tangents stay zero where the slope is not
@@ -84,6 +89,14 @@ impl<const N: usize, T: Scalar> Jet<N, T> {
         self.chain2(other, v, v, v)
     }
 }
+
+/// Zeros around a one, which stands at [`UNIT_AT`]: every unit vector of up to that length.
+const UNIT: [f64; 2 * UNIT_AT] = {
+    let mut unit = [0.0; 2 * UNIT_AT];
+    unit[UNIT_AT] = 1.0;
+    unit
+};
+const UNIT_AT: usize = 16;
 
 /// A number for every lane. `array::from_fn` would be compiled for each closure.
 #[inline]

@@ -123,11 +123,11 @@ mod num_dual;
 mod plain;
 mod real;
 mod sums;
+mod taped;
 #[cfg(test)]
 mod tests;
 mod trace;
 mod undecided;
-mod wide;
 
 pub(crate) use behind_calls::behind_calls;
 pub use count::{Counted, OperationCounts, Tally};
@@ -139,8 +139,8 @@ pub use jet::Jet;
 pub use magnitude::Magnitude;
 pub use real::Real;
 pub use sums::{Total, prod, sum, when};
+pub(crate) use taped::{Dependence, Tape, TapeMemory, Taped};
 pub use trace::Trace;
-pub(crate) use wide::Wide;
 
 use std::fmt::Debug;
 use std::ops::{Add, Div, Mul, Neg, Sub};

@@ -89,7 +89,7 @@ impl ZhuravlevIvanovStepper {
     /// # Errors
     /// [`ModelError::Option`].
     pub fn new(first: ZhuravlevIvanov, options: Options, warm: bool) -> Result<Self, ModelError> {
-        let (problem, solver) = (AdProblem::new(first)?, Solver::new(options)?);
+        let (problem, solver) = (AdProblem::changing(first)?, Solver::new(options)?);
         Ok(ZhuravlevIvanovStepper { problem, solver, z: vec![0.0; 4], warm, steps: 0 })
     }
 }
