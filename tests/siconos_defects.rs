@@ -160,8 +160,8 @@ fn d05_every_line_search_ends() {
 #[test]
 fn d06_sparse_jacobians_are_solved_by_a_sparse_solver() {
     let mut known = testing::obstacle(12).unwrap();
-    let pattern = known.problem.pattern().with_diagonal().pattern;
-    assert_eq!(Linear::Auto.resolve(&pattern), Linear::FaerSparse);
+    let with_diagonal = known.problem.pattern().with_diagonal();
+    assert_eq!(Linear::Auto.resolve(with_diagonal.pattern()), Linear::FaerSparse);
     for method in Method::CLASSICAL {
         let dense =
             solve(&mut known.problem, &siconos(method).with(|o| o.linear = Linear::Nalgebra));

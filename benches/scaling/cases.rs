@@ -1,10 +1,11 @@
 //! The cases of the table, and one run of a case.
 
-use crate::models::{Membrane, Spring, Traffic, Transport};
+use crate::models::{Doubled, Membrane, Spring, Traffic, Transport};
 use crate::roads::Roads;
+use mcp_core::linalg::FaerSparseLu;
 use mcp_core::{
-    AdProblem, Grid, Method, Model, ModelError, MultigridCg, Options, Solution, Solver,
-    solve_sequence, solve_sequence_with,
+    AdProblem, Grid, Method, Model, ModelError, MultigridCg, Options, Robust, Solution, Solver,
+    Stage, solve_sequence, solve_sequence_with,
 };
 use std::time::{Duration, Instant};
 
@@ -16,10 +17,14 @@ const TIME_LIMIT: Duration = Duration::from_mins(2);
 pub(crate) enum Way {
     /// From its own start.
     Cold(Method),
+    /// From its own start, with simplicial factors, whose fill is known.
+    Simplicial(Method),
     /// Coarse to fine, factorisations.
     Nested(Method),
     /// Coarse to fine, multigrid CG.
     Multigrid,
+    /// From its own start, by one stage of `Robust`.
+    Alone(Stage),
 }
 
 /// What is solved.
@@ -33,6 +38,8 @@ pub(crate) enum Kind {
     Transport,
     /// Traffic on 20 × 25 crossings to `k` places, from successive averages.
     Traffic,
+    /// A membrane with every equation twice, `2k²` variables: what Levenberg–Marquardt steps are for.
+    Doubled,
 }
 
 /// A line of the table.
@@ -50,24 +57,24 @@ const fn case(kind: Kind, k: usize, way: Way, reach: (Option<f64>, Option<f64>))
 }
 
 use Kind::{Membrane as M, Spring as S};
-use Method::{NewtonFb, NewtonMinFb, Robust};
-use Way::{Cold, Multigrid, Nested};
+use Method::{NewtonFb, NewtonMinFb};
+use Way::{Alone, Cold, Multigrid, Nested, Simplicial};
 
 /// Every line, in order.
-pub(crate) const CASES: [Case; 28] = [
+pub(crate) const CASES: [Case; 38] = [
     case(M, 40, Cold(NewtonMinFb), (Some(0.020), None)),
-    case(M, 40, Cold(Robust), (Some(0.020), None)),
-    case(S, 40, Cold(Robust), (Some(0.020), None)),
+    case(M, 40, Cold(Method::Robust), (Some(0.020), None)),
+    case(S, 40, Cold(Method::Robust), (Some(0.020), None)),
     case(M, 150, Cold(NewtonMinFb), (Some(1.2), None)),
-    case(M, 150, Cold(Robust), (Some(1.2), None)),
-    case(S, 150, Cold(Robust), (Some(1.2), None)),
+    case(M, 150, Cold(Method::Robust), (Some(1.2), None)),
+    case(S, 150, Cold(Method::Robust), (Some(1.2), None)),
     case(M, 300, Cold(NewtonFb), (Some(6.0), None)),
     case(M, 300, Cold(NewtonMinFb), (Some(6.0), None)),
-    case(M, 300, Cold(Robust), (Some(6.0), None)),
-    case(S, 300, Cold(Robust), (Some(6.0), None)),
+    case(M, 300, Cold(Method::Robust), (Some(6.0), None)),
+    case(S, 300, Cold(Method::Robust), (Some(6.0), None)),
     case(M, 300, Nested(NewtonMinFb), (Some(1.0), None)),
     case(S, 300, Nested(NewtonMinFb), (Some(1.0), None)),
-    case(S, 300, Nested(Robust), (Some(1.0), None)),
+    case(S, 300, Nested(Method::Robust), (Some(1.0), None)),
     case(S, 100, Nested(NewtonMinFb), (None, None)),
     case(S, 1000, Nested(NewtonMinFb), (Some(45.0), Some(1000.0))),
     case(M, 1000, Nested(NewtonMinFb), (Some(45.0), Some(1000.0))),
@@ -79,11 +86,42 @@ pub(crate) const CASES: [Case; 28] = [
     case(S, 1000, Multigrid, (None, None)),
     case(S, 1023, Multigrid, (Some(5.0), Some(250.0))),
     case(M, 1023, Multigrid, (Some(5.0), Some(250.0))),
-    case(Kind::Transport, 300, Cold(Robust), (None, None)),
+    case(Kind::Transport, 300, Cold(Method::Robust), (None, None)),
     case(Kind::Traffic, 4, Cold(NewtonFb), (None, None)),
     case(Kind::Traffic, 4, Cold(NewtonMinFb), (None, None)),
+    case(Kind::Traffic, 4, Simplicial(NewtonFb), (None, None)),
     case(Kind::Traffic, 10, Cold(NewtonFb), (None, None)),
+    case(S, 316, Alone(Stage::Semismooth), (None, None)),
+    case(S, 316, Alone(Stage::Sized), (None, None)),
+    case(S, 316, Alone(Stage::Smoothing), (None, None)),
+    case(S, 316, Alone(Stage::Penalised), (None, None)),
+    case(S, 316, Alone(Stage::Boxes), (None, None)),
+    case(S, 316, Alone(Stage::Rescaled), (None, None)),
+    case(S, 316, Alone(Stage::Proximal), (None, None)),
+    case(S, 316, Alone(Stage::Starts), (None, None)),
+    case(Kind::Doubled, 224, Alone(Stage::Semismooth), (None, None)),
 ];
+
+/// `Robust` with nothing but this stage.
+fn alone(stage: Stage, options: &mut Robust) {
+    let budgets = [
+        (Stage::Crash, &mut options.crash),
+        (Stage::Semismooth, &mut options.semismooth),
+        (Stage::Sized, &mut options.sized),
+        (Stage::Smoothing, &mut options.smoothing),
+        (Stage::Penalised, &mut options.penalised),
+        (Stage::Boxes, &mut options.boxes),
+        (Stage::Rescaled, &mut options.rescale),
+        (Stage::Proximal, &mut options.proximal),
+        (Stage::Starts, &mut options.starts),
+    ];
+    for (other, budget) in budgets {
+        if other != stage {
+            *budget = 0;
+        }
+    }
+    (options.josephy_first, options.josephy) = (0, 0);
+}
 
 impl Case {
     /// Such as `spring 300 nested newton_min_fb`.
@@ -93,11 +131,14 @@ impl Case {
             Kind::Spring => "spring",
             Kind::Transport => "transport",
             Kind::Traffic => "traffic",
+            Kind::Doubled => "doubled",
         };
         let way = match self.way {
             Cold(method) => format!("cold {method}"),
+            Simplicial(method) => format!("simplicial {method}"),
             Nested(method) => format!("nested {method}"),
             Multigrid => "nested multigrid".to_owned(),
+            Alone(stage) => format!("{stage} alone"),
         };
         format!("{kind} {} {way}", self.k)
     }
@@ -113,6 +154,7 @@ impl Case {
                 let roads = Roads::grid(20, 25, self.k);
                 vec![self.cold(&Traffic::on(&roads)?, Some(roads.start()))?]
             }
+            Kind::Doubled => vec![self.cold(&Doubled::on(self.k)?, None)?],
         };
         let seconds = began.elapsed().as_secs_f64();
         Ok(Run { seconds, cpu: cpu_seconds(), megabytes: peak_memory(), solutions })
@@ -120,11 +162,23 @@ impl Case {
 
     fn cold<M: Model>(&self, model: &M, start: Option<Vec<f64>>) -> Result<Solution, ModelError> {
         let method = match self.way {
-            Cold(method) | Nested(method) => method,
+            Cold(method) | Simplicial(method) | Nested(method) => method,
             Multigrid => NewtonMinFb,
+            Alone(_) => Method::Robust,
         };
-        let mut solver = Solver::new(options(self, method))?;
+        let mut solver = match self.way {
+            Simplicial(_) => Solver::with_linear_solver(
+                options(self, method),
+                Box::new(FaerSparseLu::simplicial()),
+            )?,
+            _ => Solver::new(options(self, method))?,
+        };
         let mut problem = AdProblem::new(model)?;
+        if self.way == Alone(Stage::Boxes) {
+            // The stage is for two-sided boxes.
+            let lower = problem.shape().bounds().lower().to_vec();
+            problem.set_bounds(&lower, &vec![1.0; lower.len()])?;
+        }
         let solution = match start {
             Some(start) => solver.solve_from(&mut problem, &start),
             None => solver.solve(&mut problem),
@@ -151,7 +205,7 @@ impl Case {
             square(fine).interpolate(&coarse.z, Grid::square(coarse.z.len().isqrt()), rim)
         };
         match self.way {
-            Cold(_) => Ok(vec![self.cold(&model(self.k)?, None)?]),
+            Cold(_) | Simplicial(_) | Alone(_) => Ok(vec![self.cold(&model(self.k)?, None)?]),
             Nested(method) => solve_sequence(models, prolong, &options(self, method)),
             Multigrid => solve_sequence_with(models, prolong, |fine| {
                 let linear = Box::new(MultigridCg::new(square(fine)));
@@ -166,6 +220,9 @@ fn options(case: &Case, method: Method) -> Options {
     Options::new(method).with(|o| {
         o.max_iterations = 1000;
         o.time_limit = Some(TIME_LIMIT);
+        if let Alone(stage) = case.way {
+            alone(stage, &mut o.robust);
+        }
         if matches!(case.kind, M | S) {
             o.tol = Some(1e-5 / ((case.k + 1) * (case.k + 1)) as f64);
         }

@@ -2,9 +2,11 @@
 //! `cargo bench --bench scaling -- 1023` for the cases whose name contains a word.
 //!
 //! Every case runs in a process of its own, so that its peak memory is its own. Printed are wall time,
-//! processor time (the one to trust beside other work) and memory of the whole case, coarse levels and derivatives included, the iterations of every level, and
-//! the evaluations and factorisations of the last; then how time per unknown grows. The picture is
-//! `target/scaling.svg`. `-- phases spring 300` prints the time of each phase instead.
+//! processor time (the one to trust beside other work) and memory of the whole case, coarse levels and
+//! derivatives included, the evaluations and factorisations of the last level, its fill (entries of the
+//! factors by those of the matrix; multigrid has no factors), and the iterations of every level; then
+//! how time per unknown grows. The picture is `target/scaling.svg`. `-- phases spring 300` prints the time
+//! of each phase instead, `-- siconos` what Siconos takes (`SICONOS_HARNESS`).
 
 #![allow(clippy::print_stdout, reason = "a benchmark prints its results")]
 
@@ -18,6 +20,9 @@ mod siconos;
 use cases::{CASES, Case, Kind, Way};
 use std::error::Error;
 use std::process::Command;
+
+/// Where Siconos is run on the membrane.
+const SIDES: [usize; 3] = [40, 150, 300];
 
 /// A line as it comes from the process of its case.
 #[derive(Clone, Debug)]
@@ -37,6 +42,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     match words[..] {
         ["case", index] => one(&CASES[index.parse::<usize>()?]),
         ["phases", kind, k] => phases::print(kind, k.parse()?),
+        ["siconos"] => siconos::print(&SIDES),
         [] => table(""),
         [word, ..] => table(word),
     }
@@ -51,8 +57,10 @@ fn one(case: &Case) -> Result<(), Box<dyn Error>> {
         run.solutions.iter().map(|level| level.stats.iterations.to_string()).collect();
     let is_solved = run.solutions.iter().all(mcp_core::Solution::is_solved);
     let end = if is_solved { "solved" } else { solution.status.name() };
+    let ratio = |factors: usize| format!("{:.1}", factors as f64 / solution.fill.matrix as f64);
+    let fill = solution.fill.factors.map_or("-".to_owned(), ratio);
     println!(
-        "{}\t{}\t{}\t{}\t{:>5}{:>5}{:>6}  {end:<8} {}",
+        "{}\t{}\t{}\t{}\t{:>5}{:>5}{:>6}{fill:>6}  {end:<8} {}",
         solution.z.len(),
         run.seconds,
         run.cpu,
@@ -67,8 +75,8 @@ fn one(case: &Case) -> Result<(), Box<dyn Error>> {
 
 fn table(word: &str) -> Result<(), Box<dyn Error>> {
     println!(
-        "{:<34}{:>8}{:>9}{:>9}{:>7}{:>7}{:>7}{:>5}{:>5}{:>6}  end      iterations by level",
-        "case", "n", "wall s", "CPU s", "reach", "MB", "reach", "F", "J", "fact."
+        "{:<34}{:>8}{:>9}{:>9}{:>7}{:>7}{:>7}{:>5}{:>5}{:>6}{:>6}  end      iterations by level",
+        "case", "n", "wall s", "CPU s", "reach", "MB", "reach", "F", "J", "fact.", "fill"
     );
     let mut lines = Vec::new();
     for (index, case) in CASES.iter().enumerate().filter(|(_, case)| case.name().contains(word)) {
@@ -89,7 +97,7 @@ fn table(word: &str) -> Result<(), Box<dyn Error>> {
     }
     print_growth(&lines);
     if "membrane cold".contains(word) {
-        siconos::print(&[40, 150, 300])?;
+        siconos::print(&SIDES)?;
     }
     chart::draw(&lines, "target/scaling.svg")?;
     let failed: Vec<String> =

@@ -37,8 +37,8 @@ fn of<M: Model>(model: &M, k: usize) -> Result<(), Box<dyn Error>> {
         Box::new(MultigridCg::new(Grid::square(k))),
     ];
     for mut linear in solvers {
-        let pattern = problem.pattern().with_diagonal().pattern;
-        let (symbolic, analysed) = timed(|| linear.analyse(&pattern));
+        let with_diagonal = problem.pattern().with_diagonal();
+        let (symbolic, analysed) = timed(|| linear.analyse(with_diagonal.pattern()));
         analysed?;
         let (first, factored) = timed(|| linear.factor(&jac));
         factored?;

@@ -128,7 +128,7 @@ impl Findings {
     fn of_pattern(&mut self, problem: &dyn Problem) {
         let (shape, pattern) = (problem.shape(), problem.pattern());
         let mut reads = vec![false; pattern.n()];
-        pattern.rows().iter().for_each(|&i| reads[i] = true);
+        pattern.rows().for_each(|i| reads[i] = true);
         let moves = |&i: &usize| shape.bounds().kind(i) != BoundKind::Fixed;
         let constant = (0..pattern.n()).filter(|&i| !reads[i]).filter(moves);
         let unread = (0..pattern.n()).filter(|&j| pattern.column(j).is_empty()).filter(moves);
@@ -148,7 +148,7 @@ impl Findings {
         let kind = |i: usize| shape.bounds().kind(i);
         let mut reads: Vec<Vec<u32>> = vec![Vec::new(); pattern.n()];
         for j in (0..pattern.n()).filter(|&j| kind(j) != BoundKind::Fixed) {
-            for &i in &pattern.rows()[pattern.column(j)] {
+            for i in pattern.column_rows(j) {
                 reads[i].push(u32::try_from(j).expect("an index of the pattern"));
             }
         }

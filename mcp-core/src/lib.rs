@@ -69,6 +69,7 @@
 //! | \[GLL86\] | L. Grippo, F. Lampariello, S. Lucidi (1986), A nonmonotone line search technique for Newton's method. SIAM J. Numer. Anal. 23 |
 //! | \[GV13\] | G. H. Golub, C. F. Van Loan (2013), Matrix Computations, 4th ed. Johns Hopkins |
 //! | \[GW08\] | A. Griewank, A. Walther (2008), Evaluating Derivatives, 2nd ed. SIAM |
+//! | \[Hig88\] | N. J. Higham (1988), FORTRAN codes for estimating the one-norm of a real or complex matrix, with applications to condition estimation. ACM Trans. Math. Softw. 14 |
 //! | \[HK73\] | J. E. Hopcroft, R. M. Karp (1973), An n^(5/2) algorithm for maximum matchings in bipartite graphs. SIAM J. Comput. 2 |
 //! | \[HS81\] | W. Hock, K. Schittkowski (1981), Test Examples for Nonlinear Programming Codes. Springer |
 //! | \[Jean99\] | M. Jean (1999), The non-smooth contact dynamics method. Comput. Methods Appl. Mech. Eng. 177 |
@@ -143,8 +144,8 @@ pub use scalar::{
     external, hypot, logsumexp, max, min, prod, select, smooth_max, smooth_min, sum, when,
 };
 pub use solver::{
-    Certificate, Criterion, Descent, Diagnosis, Direction, DomainFault, Iteration, Method, Monitor,
-    NotSolved, Options, PointCheck, PointRow, Robust, Solution, Solver, Stage, StageEnd,
+    Certificate, Criterion, Descent, Diagnosis, Direction, DomainFault, Fill, Iteration, Method,
+    Monitor, NotSolved, Options, PointCheck, PointRow, Robust, Solution, Solver, Stage, StageEnd,
     StageRecord, Stats, Status, UnknownMethod, Verdict, Violation, WrongPoint, check_point,
     examine, solve, solve_from, solve_sequence, solve_sequence_with,
 };

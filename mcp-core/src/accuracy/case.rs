@@ -81,7 +81,7 @@ impl<M: Model> AnyModel for M {
             let f = problem.rows_at(&z);
             for j in first..z.len().min(first + LANES) {
                 for k in pattern.column(j) {
-                    let row = shape.row_of_variable(pattern.rows()[k]);
+                    let row = shape.row_of_variable(pattern.row(k));
                     let row = row.expect("an entry belongs to a row");
                     jac[k] = f[row].into_scalar().d[j - first];
                 }

@@ -101,8 +101,8 @@ pub fn floor(case: &Case, form: Form) -> Result<Option<f64>, AccuracyError> {
     let (n, bounds) = (shape.n(), shape.bounds());
     let mut z = near(&case.solution()?);
     let with = problem.pattern().with_diagonal();
-    let mut solver = Linear::Auto.solver_for(&with.pattern)?;
-    solver.analyse(&with.pattern)?;
+    let mut solver = Linear::Auto.solver_for(with.pattern())?;
+    solver.analyse(with.pattern())?;
     let (mut f, mut jac) = (vec![0.0; n], vec![0.0; problem.pattern().nnz()]);
     let mut least = f64::INFINITY;
     for _ in 0..STEPS {
@@ -110,12 +110,12 @@ pub fn floor(case: &Case, form: Form) -> Result<Option<f64>, AccuracyError> {
         let boxed = |i: usize| (bounds.lower()[i], z[i], bounds.upper()[i]);
         let phi: Vec<(f64, [f64; 2])> =
             (0..n).map(|i| in_box(form, bounds.kind(i), boxed(i), f[i])).collect();
-        let mut values = vec![0.0; with.pattern.nnz()];
+        let mut values = vec![0.0; with.pattern().nnz()];
         for (k, i, _) in problem.pattern().entries() {
-            values[with.entries[k]] += phi[i].1[1] * jac[k];
+            values[with.entry(k)] += phi[i].1[1] * jac[k];
         }
         for (i, phi) in phi.iter().enumerate() {
-            values[with.diagonal[i]] += phi.1[0];
+            values[with.diagonal(i)] += phi.1[0];
         }
         let mut step: Vec<f64> = phi.iter().map(|phi| -phi.0).collect();
         if solver.factor(&values).is_err() {

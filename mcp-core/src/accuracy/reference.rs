@@ -99,15 +99,15 @@ impl Reference {
         }
 
         let with = problem.pattern().with_diagonal();
-        let mut solver = Linear::Auto.solver_for(&with.pattern)?;
-        solver.analyse(&with.pattern)?;
+        let mut solver = Linear::Auto.solver_for(with.pattern())?;
+        solver.analyse(with.pattern())?;
         let mut last = f64::INFINITY;
         for _ in 0..STEPS {
             let plain: Vec<f64> = z.iter().map(|z| z.into_scalar().to_f64()).collect();
             problem.evaluate(&plain, None, Some(&mut jac));
-            let mut values = vec![0.0; with.pattern.nnz()];
+            let mut values = vec![0.0; with.pattern().nnz()];
             for (k, i, _) in problem.pattern().entries() {
-                values[with.entries[k]] = if is_active[i] { 0.0 } else { jac[k] };
+                values[with.entry(k)] = if is_active[i] { 0.0 } else { jac[k] };
             }
             let mut step = vec![0.0; n];
             for (row, f) in problem.rows_at(&z).into_iter().enumerate() {
@@ -115,7 +115,7 @@ impl Reference {
                 step[i] = if is_active[i] { 0.0 } else { -f.into_scalar().to_f64() };
             }
             for i in (0..n).filter(|&i| is_active[i]) {
-                values[with.diagonal[i]] = 1.0;
+                values[with.diagonal(i)] = 1.0;
             }
             solver.factor(&values)?;
             solver.solve(&mut step);

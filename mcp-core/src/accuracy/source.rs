@@ -166,7 +166,7 @@ impl<P: Problem> Differences<P> {
             }
             for &j in &self.groups[group] {
                 for k in self.problem.pattern().column(j) {
-                    let i = self.problem.pattern().rows()[k];
+                    let i = self.problem.pattern().row(k);
                     let (plus, minus, f, h) = (self.plus[i], self.minus[i], self.f[i], self.h[j]);
                     jac[k] = match self.scheme {
                         Scheme::Central if !plus.is_finite() => (f - minus) / h,
@@ -186,14 +186,13 @@ fn groups(pattern: &Pattern) -> Vec<Vec<usize>> {
     // For every row the groups it has an entry in.
     let mut taken: Vec<Vec<usize>> = vec![Vec::new(); pattern.n()];
     for j in 0..pattern.n() {
-        let rows = &pattern.rows()[pattern.column(j)];
-        let is_free = |group: &usize| rows.iter().all(|&i| !taken[i].contains(group));
+        let is_free = |group: &usize| pattern.column_rows(j).all(|i| !taken[i].contains(group));
         let group = (0..groups.len()).find(is_free).unwrap_or(groups.len());
         if group == groups.len() {
             groups.push(Vec::new());
         }
         groups[group].push(j);
-        for &i in rows {
+        for i in pattern.column_rows(j) {
             taken[i].push(group);
         }
     }

@@ -13,7 +13,7 @@ use faer::{Conj, MatMut, Par, Side};
 use super::pivots::check_finite;
 use super::storage::{KeptPattern, Scratch, try_filled};
 use super::{FactorInfo, LinearError, LinearSolver};
-use crate::problem::Pattern;
+use crate::problem::{Index, Pattern, small};
 
 /// Sparse `H = L Lᵀ`, or `H = L D Lᵀ` where a pivot is not positive, for symmetric matrices, on one thread.
 ///
@@ -32,14 +32,14 @@ use crate::problem::Pattern;
 pub struct FaerCholesky {
     pattern: KeptPattern,
     /// The lower triangle: starts and rows of its columns, and where in the pattern each begins.
-    starts: Vec<u32>,
-    rows: Vec<u32>,
-    first: Vec<u32>,
+    starts: Vec<Index>,
+    rows: Vec<Index>,
+    first: Vec<Index>,
     /// A column without a diagonal entry: its pivot may be zero whatever the values.
     without_diagonal: Option<usize>,
     lower: Vec<f64>,
     /// Absent for order 0.
-    symbolic: Option<SymbolicCholesky<u32>>,
+    symbolic: Option<SymbolicCholesky<Index>>,
     factor: Vec<f64>,
     /// Whether the factors are `L D Lᵀ`.
     has_d: bool,
@@ -50,11 +50,6 @@ impl FaerCholesky {
     /// For any order, without memory until [`analyse`](LinearSolver::analyse) is called.
     pub fn new() -> Self {
         FaerCholesky::default()
-    }
-
-    /// Entries of `L`, with those that blocks of columns add.
-    pub fn fill(&self) -> usize {
-        self.factor.len()
     }
 
     /// The lower triangle of the pattern: the end of every column.
@@ -70,14 +65,14 @@ impl FaerCholesky {
         self.starts.push(0);
         for j in 0..n {
             let column = pattern.column(j);
-            let rows = &pattern.rows()[column.clone()];
-            let above = rows.partition_point(|&i| i < j);
-            if rows.get(above) != Some(&j) {
+            let rows = &pattern.stored().1[column.clone()];
+            let above = rows.partition_point(|&i| (i as usize) < j);
+            if rows.get(above) != Some(&small(j)) {
                 self.without_diagonal.get_or_insert(j);
             }
-            self.first.push(narrow(column.start + above));
-            self.rows.extend(rows[above..].iter().map(|&i| narrow(i)));
-            self.starts.push(narrow(self.rows.len()));
+            self.first.push(small(column.start + above));
+            self.rows.extend_from_slice(&rows[above..]);
+            self.starts.push(small(self.rows.len()));
         }
     }
 
@@ -116,11 +111,6 @@ impl FaerCholesky {
     }
 }
 
-/// Positions that the index type of the factors holds.
-fn narrow(k: usize) -> u32 {
-    u32::try_from(k).expect("`analyse` refuses patterns of 2^32 entries")
-}
-
 impl LinearSolver for FaerCholesky {
     fn name(&self) -> &'static str {
         "faer sparse Cholesky"
@@ -137,9 +127,6 @@ impl LinearSolver for FaerCholesky {
         self.pattern.forget();
         self.symbolic = None;
         let n = pattern.n();
-        if u32::try_from(pattern.nnz()).is_err() {
-            return Err(LinearError::OutOfMemory { n });
-        }
         self.keep_lower(pattern);
         self.lower = try_filled(0.0, self.rows.len(), n)?;
         self.factor = Vec::new();
@@ -209,6 +196,10 @@ impl LinearSolver for FaerCholesky {
         }
         let ratio = self.pivot_ratio();
         if ratio.is_finite() { Ok(FactorInfo::new(ratio)) } else { Err(LinearError::NotFinite) }
+    }
+
+    fn fill(&self) -> Option<usize> {
+        Some(self.factor.len())
     }
 
     fn solve(&mut self, rhs: &mut [f64]) {

@@ -15,7 +15,7 @@ use faer::{Conj, MatMut, Par};
 use super::pivots::{PivotRange, check_finite};
 use super::storage::{KeptPattern, Scratch, try_filled};
 use super::{FactorInfo, LinearError, LinearSolver};
-use crate::problem::Pattern;
+use crate::problem::{Index, Pattern};
 
 /// Orders below this get simplicial factors: blocks do not pay there.
 const SUPERNODAL_FROM: usize = 16;
@@ -49,13 +49,15 @@ const SUPERNODAL_RATIO: f64 = 0.15;
 #[derive(Debug)]
 pub struct FaerSparseLu {
     pattern: KeptPattern,
+    /// Whether factors may be supernodal.
+    may_block: bool,
     /// Absent for order 0.
-    symbolic: Option<SymbolicLu<usize>>,
+    symbolic: Option<SymbolicLu<Index>>,
     kind: Kind,
     /// Which factors solves use: those of the last factorisation.
     current: Kind,
     simplicial: Simplicial,
-    supernodal: NumericLu<usize, f64>,
+    supernodal: NumericLu<Index, f64>,
     /// The right-hand side of the test of supernodal factors.
     probe: Vec<f64>,
     /// Its solution.
@@ -72,9 +74,9 @@ enum Kind {
 /// Simplicial factors with their permutation of the rows.
 #[derive(Clone, Debug, Default)]
 struct Simplicial {
-    lu: SimplicialLu<usize, f64>,
-    rows: Vec<usize>,
-    rows_inverse: Vec<usize>,
+    lu: SimplicialLu<Index, f64>,
+    rows: Vec<Index>,
+    rows_inverse: Vec<Index>,
 }
 
 impl FaerSparseLu {
@@ -82,6 +84,7 @@ impl FaerSparseLu {
     pub fn new() -> Self {
         FaerSparseLu {
             pattern: KeptPattern::default(),
+            may_block: true,
             symbolic: None,
             kind: Kind::Simplicial,
             current: Kind::Simplicial,
@@ -91,6 +94,11 @@ impl FaerSparseLu {
             response: Vec::new(),
             scratch: Scratch::empty(),
         }
+    }
+
+    /// The same with simplicial factors alone: slower where they fill, and their fill is known.
+    pub fn simplicial() -> Self {
+        FaerSparseLu { may_block: false, ..Self::new() }
     }
 
     fn analyse_anew(
@@ -111,7 +119,7 @@ impl FaerSparseLu {
             };
             let symbolic = factorize_symbolic_lu(structure(pattern), parameters)
                 .map_err(|_| LinearError::OutOfMemory { n })?;
-            let simplicial = factorize_simplicial_numeric_lu_scratch::<usize, f64>(n, n);
+            let simplicial = factorize_simplicial_numeric_lu_scratch::<Index, f64>(n, n);
             let chosen =
                 symbolic.factorize_numeric_lu_scratch::<f64>(Par::Seq, faer::Spec::default());
             // faer keeps its choice to itself. Supernodal factors ask for 32 bytes per unknown more
@@ -186,7 +194,7 @@ impl FaerSparseLu {
         );
         match done {
             Err(LuError::SymbolicSingular { index }) => {
-                return Err(LinearError::Singular { column: order.arrays().0[index] });
+                return Err(LinearError::Singular { column: order.arrays().0[index] as usize });
             }
             Err(LuError::Generic(_)) => return Err(LinearError::OutOfMemory { n }),
             Ok(()) => {}
@@ -196,7 +204,7 @@ impl FaerSparseLu {
         for j in 0..n {
             let (above, below) = (u.val_of_col(j), l.val_of_col(j));
             let pivot = above.last().copied().unwrap_or(0.0);
-            pivots.take(pivot, order.arrays().0[j])?;
+            pivots.take(pivot, order.arrays().0[j] as usize)?;
             check_finite(above)?;
             check_finite(below)?;
         }
@@ -250,7 +258,7 @@ impl LinearSolver for FaerSparseLu {
         if self.pattern.is(pattern) {
             return Ok(());
         }
-        let threshold = if pattern.n() < SUPERNODAL_FROM {
+        let threshold = if pattern.n() < SUPERNODAL_FROM || !self.may_block {
             SupernodalThreshold::FORCE_SIMPLICIAL
         } else {
             SupernodalThreshold(SUPERNODAL_RATIO)
@@ -275,6 +283,16 @@ impl LinearSolver for FaerSparseLu {
         self.factor_simplicial(values)
     }
 
+    /// Of simplicial factors; faer does not show the size of supernodal ones.
+    fn fill(&self) -> Option<usize> {
+        let entries = |factor: SparseColMatRef<'_, Index, f64>| {
+            (0..factor.ncols()).map(|j| factor.val_of_col(j).len()).sum::<usize>()
+        };
+        let Simplicial { lu, rows, .. } = &self.simplicial;
+        (self.current == Kind::Simplicial && !rows.is_empty())
+            .then(|| entries(lu.l_factor_unsorted()) + entries(lu.u_factor_unsorted()))
+    }
+
     fn solve(&mut self, rhs: &mut [f64]) {
         self.solve_either(rhs, false);
     }
@@ -285,12 +303,13 @@ impl LinearSolver for FaerSparseLu {
 }
 
 /// The pattern as faer sees it. `O(nnz)` checks, no copy.
-fn structure(pattern: &Pattern) -> SymbolicSparseColMatRef<'_, usize> {
+fn structure(pattern: &Pattern) -> SymbolicSparseColMatRef<'_, Index> {
     let n = pattern.n();
-    SymbolicSparseColMatRef::new_checked(n, n, pattern.column_starts(), None, pattern.rows())
+    let (starts, rows) = pattern.stored();
+    SymbolicSparseColMatRef::new_checked(n, n, starts, None, rows)
 }
 
-fn matrix<'a>(pattern: &'a Pattern, values: &'a [f64]) -> SparseColMatRef<'a, usize, f64> {
+fn matrix<'a>(pattern: &'a Pattern, values: &'a [f64]) -> SparseColMatRef<'a, Index, f64> {
     SparseColMatRef::new(structure(pattern), values)
 }
 

@@ -44,7 +44,7 @@ pub(super) fn scatter_column(pattern: &Pattern, values: &[f64], j: usize, column
         column.copy_from_slice(values);
     } else {
         column.fill(0.0);
-        for (&i, &value) in pattern.rows()[range].iter().zip(values) {
+        for (i, &value) in pattern.column_rows(j).zip(values) {
             column[i] = value;
         }
     }

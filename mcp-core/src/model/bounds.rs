@@ -38,13 +38,13 @@ pub struct Bounds {
     upper: Vec<f64>,
 }
 
-/// Why a pair of bounds is refused: index and kind of fault.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// Why a pair of bounds is refused: kind of fault, index, lower and upper bound.
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum BadBounds {
     /// NaN, lower `+inf` or upper `-inf`.
-    Unusable(usize),
+    Unusable(usize, f64, f64),
     /// Lower above upper.
-    Crossed(usize),
+    Crossed(usize, f64, f64),
 }
 
 impl Bounds {
@@ -53,10 +53,10 @@ impl Bounds {
         debug_assert_eq!(lower.len(), upper.len());
         for (i, (&l, &u)) in lower.iter().zip(&upper).enumerate() {
             if l.is_nan() || u.is_nan() || l == f64::INFINITY || u == f64::NEG_INFINITY {
-                return Err(BadBounds::Unusable(i));
+                return Err(BadBounds::Unusable(i, l, u));
             }
             if l > u {
-                return Err(BadBounds::Crossed(i));
+                return Err(BadBounds::Crossed(i, l, u));
             }
         }
         Ok(Bounds { lower, upper })
@@ -118,9 +118,11 @@ mod tests {
 
     #[test]
     fn senseless_bounds_are_refused() {
-        assert_eq!(Bounds::new(vec![0.0, 2.0], vec![1.0, 1.0]), Err(BadBounds::Crossed(1)));
+        let crossed = Bounds::new(vec![0.0, 2.0], vec![1.0, 1.0]);
+        assert_eq!(crossed, Err(BadBounds::Crossed(1, 2.0, 1.0)));
         for (l, u) in [(f64::NAN, 1.0), (0.0, f64::NAN), (INF, INF), (-INF, -INF)] {
-            assert_eq!(Bounds::new(vec![l], vec![u]), Err(BadBounds::Unusable(0)));
+            let refused = Bounds::new(vec![l], vec![u]);
+            assert!(matches!(refused, Err(BadBounds::Unusable(0, ..))));
         }
     }
 

@@ -2,10 +2,11 @@
 
 use super::{
     Bounds, Family, Set, Shape, Values,
-    shape::{EquationFamily, Structure},
+    shape::{EquationFamily, Paired, RowOf, Structure},
 };
 use crate::error::ModelError;
 use crate::model::BadBounds;
+use crate::problem::small;
 
 macro_rules! describe {
     ($Declaration:ident, $indices:literal) => {
@@ -300,7 +301,7 @@ impl ShapeBuilder {
         check_parameters(&parameters, &values)?;
         let equations = pair(equations, &variables)?;
         let definitions = definitions.into_iter().map(|d| d.family).collect();
-        let row_of = Vec::new();
+        let row_of = RowOf::default();
         let structure =
             Structure { variables, equations, definitions, parameters, reports, row_of };
         Shape::assemble(structure, bounds, start, values)
@@ -378,13 +379,12 @@ pub(super) fn checked_bounds(
     upper: Vec<f64>,
     name: impl Fn(usize) -> String,
 ) -> Result<Bounds, ModelError> {
-    let (l, u) = (lower.clone(), upper.clone());
     Bounds::new(lower, upper).map_err(|bad| match bad {
-        BadBounds::Unusable(j) => {
-            ModelError::UnusableBounds { variable: name(j), lower: l[j], upper: u[j] }
+        BadBounds::Unusable(j, lower, upper) => {
+            ModelError::UnusableBounds { variable: name(j), lower, upper }
         }
-        BadBounds::Crossed(j) => {
-            ModelError::CrossedBounds { variable: name(j), lower: l[j], upper: u[j] }
+        BadBounds::Crossed(j, lower, upper) => {
+            ModelError::CrossedBounds { variable: name(j), lower, upper }
         }
     })
 }
@@ -422,8 +422,8 @@ fn pair(
         if elements.is_none() {
             check_same_elements(&family, target)?;
         }
-        let elements: Vec<usize> = elements.unwrap_or_else(|| (0..target.len).collect());
-        if let Some(&index) = elements.iter().find(|&&k| k >= target.len) {
+        let listed = elements.unwrap_or_default();
+        if let Some(&index) = listed.iter().find(|&&k| k >= target.len) {
             return Err(ModelError::ReadOutOfRange {
                 row: family.name,
                 kind: "paired variable",
@@ -431,7 +431,11 @@ fn pair(
                 count: target.len,
             });
         }
-        let pairs = elements.into_iter().map(|k| target.offset + k).collect();
+        let pairs = if listed.is_empty() {
+            Paired::From(target.offset)
+        } else {
+            Paired::List(listed.into_iter().map(|k| small(target.offset + k)).collect())
+        };
         paired.push(EquationFamily { family, pairs });
     }
     Ok(paired)

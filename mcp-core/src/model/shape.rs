@@ -3,6 +3,8 @@
 use super::builder::{check_start, checked_bounds, name_among};
 use super::{BoundKind, Bounds, Family, Set, ShapeBuilder, Variable};
 use crate::error::{ModelError, nearest};
+use crate::problem::{Index, small};
+use std::num::NonZero;
 use std::sync::Arc;
 
 /// Families, names, bounds, starts, parameters and pairs of a model.
@@ -11,12 +13,13 @@ use std::sync::Arc;
 /// the rows of the equations. `F_i` is the row paired with variable `i`, whatever its own number.
 /// Names are made on demand.
 ///
-/// A copy shares families and pairs with its original; bounds, start and parameters are its own.
+/// A copy shares what it has in common with its original: families and pairs for good, bounds and start
+/// until one of the two changes them.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Shape {
     structure: Arc<Structure>,
-    bounds: Bounds,
-    start: Vec<f64>,
+    bounds: Arc<Bounds>,
+    start: Arc<Vec<f64>>,
     pub(super) parameter_values: Vec<f64>,
 }
 
@@ -28,15 +31,59 @@ pub(super) struct Structure {
     pub(super) definitions: Vec<Family>,
     pub(super) parameters: Vec<Family>,
     pub(super) reports: Vec<Family>,
-    /// Row paired with each variable; fixed variables may have none.
-    pub(super) row_of: Vec<Option<usize>>,
+    pub(super) row_of: RowOf,
 }
 
 /// An equation family and the variable each of its rows is paired with.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct EquationFamily {
     pub(crate) family: Family,
-    pub(crate) pairs: Vec<usize>,
+    pub(crate) pairs: Paired,
+}
+
+/// The variables that the rows of a family are paired with.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum Paired {
+    /// One after the other, from this one on.
+    From(usize),
+    /// Listed.
+    List(Vec<Index>),
+}
+
+impl Paired {
+    fn variable(&self, index: usize) -> usize {
+        match self {
+            Paired::From(first) => first + index,
+            Paired::List(list) => list[index] as usize,
+        }
+    }
+}
+
+/// Row paired with each variable.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(super) enum RowOf {
+    /// That of the same number.
+    #[default]
+    Same,
+    /// Listed; fixed variables may have none.
+    List(Vec<Option<NonZero<Index>>>),
+}
+
+impl RowOf {
+    /// From a list of the rows.
+    fn new(rows: &[Option<usize>]) -> Self {
+        if rows.iter().enumerate().all(|(i, row)| *row == Some(i)) {
+            return RowOf::Same;
+        }
+        RowOf::List(rows.iter().map(|row| NonZero::new(small((*row)? + 1))).collect())
+    }
+
+    fn variable(&self, i: usize) -> Option<usize> {
+        match self {
+            RowOf::Same => Some(i),
+            RowOf::List(rows) => rows[i].map(|row| row.get() as usize - 1),
+        }
+    }
 }
 
 /// A row as a model is asked for it: see [`Model::row`](crate::Model::row).
@@ -86,8 +133,9 @@ impl Shape {
             equations[e].family.element_name(row - equations[e].family.offset)
         };
         for equation in equations {
-            for (index, &variable) in equation.pairs.iter().enumerate() {
-                let row = equation.family.offset + index;
+            for index in 0..equation.family.len {
+                let (row, variable) =
+                    (equation.family.offset + index, equation.pairs.variable(index));
                 if let Some(first) = row_of[variable].replace(row) {
                     return Err(ModelError::PairedTwice {
                         variable: name_among(variables, variable),
@@ -97,8 +145,9 @@ impl Shape {
                 }
             }
         }
-        structure.row_of = row_of;
-        let shape = Shape { structure: Arc::new(structure), bounds, start, parameter_values };
+        structure.row_of = RowOf::new(&row_of);
+        let (structure, bounds, start) = (Arc::new(structure), Arc::new(bounds), Arc::new(start));
+        let shape = Shape { structure, bounds, start, parameter_values };
         shape.check_paired(&shape.bounds)?;
         Ok(shape)
     }
@@ -106,7 +155,7 @@ impl Shape {
     /// Only a variable that `bounds` fix may lack an equation.
     fn check_paired(&self, bounds: &Bounds) -> Result<(), ModelError> {
         let lacks =
-            |j: usize| self.structure.row_of[j].is_none() && bounds.kind(j) != BoundKind::Fixed;
+            |j: usize| self.row_of_variable(j).is_none() && bounds.kind(j) != BoundKind::Fixed;
         match (0..bounds.n()).find(|&j| lacks(j)) {
             Some(j) => Err(ModelError::Unpaired { variable: self.variable_name(j) }),
             None => Ok(()),
@@ -188,8 +237,9 @@ impl Shape {
     /// [`ModelError::Length`], [`ModelError::StartNotFinite`].
     pub fn set_start(&mut self, start: &[f64]) -> Result<(), ModelError> {
         self.check_start(start)?;
-        self.start.copy_from_slice(start);
-        self.bounds.project(&mut self.start);
+        let own = Arc::make_mut(&mut self.start);
+        own.copy_from_slice(start);
+        self.bounds.project(own);
         Ok(())
     }
 
@@ -209,8 +259,8 @@ impl Shape {
             name_among(&self.structure.variables, j)
         })?;
         self.check_paired(&bounds)?;
-        self.bounds = bounds;
-        self.bounds.project(&mut self.start);
+        bounds.project(Arc::make_mut(&mut self.start).as_mut_slice());
+        self.bounds = Arc::new(bounds);
         Ok(())
     }
 
@@ -238,11 +288,11 @@ impl Shape {
     /// The variable that row number `row` is paired with.
     pub fn variable_of_row(&self, row: usize) -> usize {
         let (equation, index) = self.equation_of(row);
-        equation.pairs[index]
+        equation.pairs.variable(index)
     }
     /// The row paired with variable `i`; `None` for a fixed variable without equation.
     pub fn row_of_variable(&self, i: usize) -> Option<usize> {
-        self.structure.row_of[i]
+        self.structure.row_of.variable(i)
     }
 
     /// Name of variable `j`, such as `x[seattle, topeka]`.
@@ -251,7 +301,7 @@ impl Shape {
     }
     /// Name of the equation paired with variable `i`: the name of `F_i`.
     pub fn equation_name(&self, i: usize) -> String {
-        match self.structure.row_of[i] {
+        match self.row_of_variable(i) {
             Some(row) => {
                 let (equation, index) = self.equation_of(row);
                 equation.family.element_name(index)

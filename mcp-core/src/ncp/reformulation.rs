@@ -28,10 +28,10 @@ impl Reformulation {
         Reformulation { kind: bounds.kind(i), lower: bounds.lower()[i], upper: bounds.upper()[i] }
     }
 
-    /// Of a variable with these bounds.
+    /// Of variable `i`, whose bounds are known to be of that kind.
     #[inline]
-    pub(crate) fn between(lower: f64, upper: f64) -> Self {
-        Reformulation { kind: BoundKind::of(lower, upper), lower, upper }
+    pub(crate) fn of_kind(kind: BoundKind, bounds: &Bounds, i: usize) -> Self {
+        Reformulation { kind, lower: bounds.lower()[i], upper: bounds.upper()[i] }
     }
 
     /// `Φ_i(z, f)`.

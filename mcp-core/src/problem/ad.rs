@@ -55,7 +55,7 @@ pub struct AdProblem<M> {
 impl<M: Model> AdProblem<M> {
     /// Records the pattern and allocates the workspace, with the default [`Engine::Jet`].
     ///
-    /// Rows are run at the start, and once more at another point, where they must read the same.
+    /// Rows are run at the start, and again at three other points, where they must read no more.
     ///
     /// # Errors
     /// [`ModelError::ReadOutOfRange`], [`ModelError::ReadsVary`], [`ModelError::DefinitionOrder`];

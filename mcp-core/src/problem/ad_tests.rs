@@ -266,37 +266,77 @@ fn a_solution_keeps_the_shape_it_was_solved_with() {
     assert_eq!(problem.shape().parameter_values()[0], 20.0);
 }
 
-/// `F_x = x − 1`, which above `x = 1` reads `y` as well.
-struct Switch(Shape);
+/// `F_x = x − 1`, which beyond a limit of `x` reads `y` as well.
+struct Switch {
+    shape: Shape,
+    is_beyond: fn(f64) -> bool,
+}
 
 impl Model for Switch {
     fn shape(&self) -> &Shape {
-        &self.0
+        &self.shape
     }
     fn row<D: Scalar>(&self, family: usize, _: usize, read: &Reader<'_, D>) -> Real<D> {
         let x = if family == 0 { read.var(0) } else { return read.var(1) - 2.0 };
-        if x.into_scalar().value() > 1.0 { x - read.var(1) } else { x - 1.0 }
+        if (self.is_beyond)(x.into_scalar().value()) { x - read.var(1) } else { x - 1.0 }
     }
 }
 
-fn switch() -> Switch {
+fn switch(is_beyond: fn(f64) -> bool) -> Switch {
     let shape = Shape::builder()
         .variable(Variable::new("x").lower(0.0).start(1.0))
         .variable(Variable::new("y"))
         .equation(Equation::new("f").complements("x"))
         .equation(Equation::new("g").complements("y"));
-    Switch(shape.build().unwrap())
+    Switch { shape: shape.build().unwrap(), is_beyond }
 }
 
 #[test]
 fn a_row_that_reads_by_value_is_refused_with_its_name() {
     let varies = ModelError::ReadsVary { row: "f".to_owned(), read: "y".to_owned() };
-    assert_eq!(AdProblem::new(switch()).err(), Some(varies));
+    // Right above the start, right below it, far away.
+    let limits: [fn(f64) -> bool; 3] = [|x| x > 1.0, |x| x < 1.0, |x| x > 4.0];
+    for is_beyond in limits {
+        assert_eq!(AdProblem::new(switch(is_beyond)).err(), Some(varies.clone()));
+    }
+    assert_eq!(AdProblem::new(switch(|_| false)).err(), None);
+}
+
+/// A definition `d = 2 x`, and `F_x = x − 1`, which reads `y` as well where `d` is above 2.
+struct SwitchByDefinition(Shape);
+
+impl Model for SwitchByDefinition {
+    fn shape(&self) -> &Shape {
+        &self.0
+    }
+    fn row<D: Scalar>(&self, family: usize, _: usize, read: &Reader<'_, D>) -> Real<D> {
+        match family {
+            0 if read.def(0).into_scalar().value() > 2.0 => read.var(0) - read.var(1),
+            0 => read.var(0) - 1.0,
+            _ => read.var(1) - 2.0,
+        }
+    }
+    fn def<D: Scalar>(&self, _: usize, _: usize, read: &Reader<'_, D>) -> Real<D> {
+        2.0 * read.var(0)
+    }
+}
+
+#[test]
+fn a_row_that_reads_by_the_value_of_a_definition_is_refused() {
+    let shape = Shape::builder()
+        .variable(Variable::new("x").lower(0.0).start(1.0))
+        .variable(Variable::new("y"))
+        .equation(Equation::new("f").complements("x"))
+        .equation(Equation::new("g").complements("y"))
+        .definition(Definition::new("d"));
+    let refused = AdProblem::new(SwitchByDefinition(shape.build().unwrap())).err();
+    let varies = ModelError::ReadsVary { row: "f".to_owned(), read: "y".to_owned() };
+    assert_eq!(refused, Some(varies));
 }
 
 #[test]
 fn reads_given_by_hand_complete_the_pattern() {
-    let mut problem = AdProblem::reading(switch(), &[(0, 1)]).unwrap();
+    let mut problem = AdProblem::reading(switch(|x| x > 1.0), &[(0, 1)]).unwrap();
     assert_eq!(problem.pattern(), &Pattern::from_rows(&[vec![0, 1], vec![1]]));
     let mut jac = [0.0; 3];
     problem.evaluate(&[2.0, 5.0], None, Some(&mut jac));
@@ -304,7 +344,7 @@ fn reads_given_by_hand_complete_the_pattern() {
     problem.evaluate(&[0.5, 5.0], None, Some(&mut jac));
     assert_eq!(jac, [1.0, 0.0, 1.0]);
     assert!(matches!(
-        AdProblem::reading(switch(), &[(0, 2)]).err(),
+        AdProblem::reading(switch(|x| x > 1.0), &[(0, 2)]).err(),
         Some(ModelError::Length { expected: 2, found: 3, .. })
     ));
 }

@@ -173,7 +173,7 @@ pub fn check_derivatives<M: Model>(model: &M, z: &[f64]) -> Result<DerivativeRep
             report.missing.get_or_insert(names);
         }
         for k in problem.pattern().column(j) {
-            let i = problem.pattern().rows()[k];
+            let i = problem.pattern().row(k);
             let (size, derivative) = (magnitude[k], jacobian[k]);
             let compare = |reference: f64, tolerance: f64| {
                 let difference = (derivative - reference).abs();

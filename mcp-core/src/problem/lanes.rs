@@ -22,17 +22,17 @@ impl<D: Scalar> Lanes<D> {
     pub(super) fn new(shape: &Shape, pattern: &Pattern) -> Self {
         let zero = Real(D::constant(0.0));
         let rows = shape.row_count();
-        let row_of = |i: &usize| shape.row_of_variable(*i).expect("an entry belongs to a row");
+        let row_of = |i: usize| shape.row_of_variable(i).expect("an entry belongs to a row");
         let variable_of_row: Vec<usize> = (0..rows).map(|row| shape.variable_of_row(row)).collect();
         let is_dense = pattern.nnz() == rows * rows && variable_of_row.is_sorted();
-        let entries = if is_dense { &[] } else { pattern.rows() };
+        let entries = if is_dense { 0 } else { pattern.nnz() };
         Lanes {
             z: vec![zero; shape.n()],
             f: vec![zero; rows],
             parameters: vec![zero; shape.parameter_values().len()],
             plain: vec![Real(0.0); rows],
             variable_of_row,
-            row_of_entry: entries.iter().map(row_of).collect(),
+            row_of_entry: pattern.rows().take(entries).map(row_of).collect(),
         }
     }
 

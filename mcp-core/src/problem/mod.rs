@@ -34,6 +34,7 @@ pub use derived::Derived;
 #[doc(hidden)]
 pub use derived::PlainModel;
 pub(crate) use derived::plain_definitions;
+pub(crate) use pattern::{Index, small};
 pub use pattern::{Pattern, WithDiagonal};
 pub(crate) use record::constants;
 

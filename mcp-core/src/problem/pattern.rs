@@ -3,11 +3,23 @@
 use std::ops::Range;
 use std::sync::Arc;
 
+/// Rows, columns and positions as they are stored: half the memory of `usize`.
+pub(crate) type Index = u32;
+
+/// An index as it is stored.
+///
+/// # Panics
+/// From 2³² on: a matrix with as many entries takes 50 GB before it is factored.
+pub(crate) fn small(index: usize) -> Index {
+    Index::try_from(index).expect("fewer than 2^32 structural nonzeros")
+}
+
 /// The structural nonzeros of a square matrix, compressed by columns.
 ///
 /// One pattern belongs to a problem for good; every Jacobian is a slice of values in its order.
 /// Invariants: `column_starts` has `n + 1` entries, starts at 0 and does not decrease; the rows of
-/// one column are strictly increasing and below `n`. A clone shares the entries.
+/// one column are strictly increasing and below `n`; there are fewer than 2³² of them. A clone shares
+/// the entries.
 #[derive(Clone, Debug, Eq)]
 pub struct Pattern {
     entries: Arc<Entries>,
@@ -15,8 +27,8 @@ pub struct Pattern {
 
 #[derive(Debug, PartialEq, Eq)]
 struct Entries {
-    column_starts: Vec<usize>,
-    rows: Vec<usize>,
+    column_starts: Vec<Index>,
+    rows: Vec<Index>,
 }
 
 impl PartialEq for Pattern {
@@ -27,7 +39,7 @@ impl PartialEq for Pattern {
 }
 
 impl Pattern {
-    fn new(column_starts: Vec<usize>, rows: Vec<usize>) -> Self {
+    fn new(column_starts: Vec<Index>, rows: Vec<Index>) -> Self {
         Pattern { entries: Arc::new(Entries { column_starts, rows }) }
     }
 
@@ -41,11 +53,14 @@ impl Pattern {
         for mut column in columns {
             column.sort_unstable();
             column.dedup();
-            rows.extend_from_slice(&column);
-            column_starts.push(rows.len());
+            rows.extend(column.into_iter().map(small));
+            column_starts.push(small(rows.len()));
         }
         let n = column_starts.len() - 1;
-        assert!(rows.iter().all(|&i| i < n), "a row of the pattern lies outside the matrix");
+        assert!(
+            rows.iter().all(|&i| (i as usize) < n),
+            "a row of the pattern lies outside the matrix"
+        );
         Self::new(column_starts, rows)
     }
 
@@ -63,18 +78,20 @@ impl Pattern {
     /// From the columns of every row, given as a list without repetitions; `row(i, put)` calls `put`
     /// for each of them, the same in both passes. Two sweeps, no list for each row.
     pub(crate) fn from_row_lists(n: usize, row: impl Fn(usize, &mut dyn FnMut(usize))) -> Self {
-        let mut starts = vec![0; n + 1];
+        let mut starts: Vec<Index> = vec![0; n + 1];
         for i in 0..n {
             row(i, &mut |j| starts[j + 1] += 1);
         }
-        for j in 0..n {
-            starts[j + 1] += starts[j];
+        let mut sum = 0;
+        for start in &mut starts {
+            sum += *start as usize;
+            *start = small(sum);
         }
-        let mut rows = vec![0; starts[n]];
+        let mut rows: Vec<Index> = vec![0; sum];
         // While column j is filled, starts[j] is where its next entry goes: at last the next start.
         for i in 0..n {
             row(i, &mut |j| {
-                rows[starts[j]] = i;
+                rows[starts[j] as usize] = small(i);
                 starts[j] += 1;
             });
         }
@@ -98,39 +115,52 @@ impl Pattern {
         self.entries.rows.len()
     }
 
-    /// Where each column starts in [`rows`](Self::rows); `n + 1` entries.
-    pub fn column_starts(&self) -> &[usize] {
-        &self.entries.column_starts
+    /// Row of the structural nonzero at position `k`.
+    #[inline]
+    pub fn row(&self, k: usize) -> usize {
+        self.entries.rows[k] as usize
     }
 
     /// Row of every structural nonzero, column by column.
-    pub fn rows(&self) -> &[usize] {
-        &self.entries.rows
+    pub fn rows(&self) -> impl ExactSizeIterator<Item = usize> + '_ {
+        self.entries.rows.iter().map(|&i| i as usize)
     }
 
     /// Positions of column `j` in a slice of values.
+    #[inline]
     pub fn column(&self, j: usize) -> Range<usize> {
-        self.entries.column_starts[j]..self.entries.column_starts[j + 1]
+        self.entries.column_starts[j] as usize..self.entries.column_starts[j + 1] as usize
+    }
+
+    /// Rows of the structural nonzeros of column `j`, increasing.
+    pub fn column_rows(&self, j: usize) -> impl ExactSizeIterator<Item = usize> + '_ {
+        self.entries.rows[self.column(j)].iter().map(|&i| i as usize)
     }
 
     /// Position of entry `(i, j)`, if it is a structural nonzero.
     pub fn position(&self, i: usize, j: usize) -> Option<usize> {
         let column = self.column(j);
         let start = column.start;
-        self.rows()[column].binary_search(&i).ok().map(|k| start + k)
+        let place = self.entries.rows[column].binary_search(&Index::try_from(i).ok()?);
+        place.ok().map(|k| start + k)
+    }
+
+    /// As it is stored: where each column starts, `n + 1` entries, and the row of every nonzero.
+    pub(crate) fn stored(&self) -> (&[Index], &[Index]) {
+        (&self.entries.column_starts, &self.entries.rows)
     }
 
     /// All entries `(position, row, column)`, column by column.
     pub fn entries(&self) -> impl Iterator<Item = (usize, usize, usize)> + '_ {
-        let rows = self.rows();
-        (0..self.n()).flat_map(move |j| self.column(j).map(move |k| (k, rows[k], j)))
+        (0..self.n()).flat_map(move |j| self.column(j).map(move |k| (k, self.row(k), j)))
     }
 
     /// Position, row and column of the first of these values that is not finite.
     pub(crate) fn first_not_finite(&self, values: &[f64]) -> Option<(usize, usize, usize)> {
         let k = values.iter().position(|value| !value.is_finite())?;
-        let column = self.column_starts().partition_point(|&start| start <= k) - 1;
-        Some((k, self.rows()[k], column))
+        let starts = &self.entries.column_starts;
+        let column = starts.partition_point(|&start| start as usize <= k) - 1;
+        Some((k, self.row(k), column))
     }
 
     /// `sizes_i += Σ_j |v_ij w_j|`: how large the terms of the rows are.
@@ -143,7 +173,7 @@ impl Pattern {
         for j in 0..self.n() {
             let w = weight(j).abs();
             for k in self.column(j) {
-                sizes[self.rows()[k]] += values[k].abs() * w;
+                sizes[self.row(k)] += values[k].abs() * w;
             }
         }
     }
@@ -153,47 +183,30 @@ impl Pattern {
         self.nnz() == self.n() * self.n()
     }
 
-    /// Whether the pattern is its own transpose.
+    /// Whether the pattern is its own transpose. `O(nnz)`.
     pub fn is_symmetric(&self) -> bool {
-        self.transposition().is_some()
-    }
-
-    /// Where the entry `(j, i)` stands for every entry `(i, j)`; `None` if one of them is missing.
-    /// `O(nnz)`.
-    pub(crate) fn transposition(&self) -> Option<Vec<usize>> {
         // Columns are swept in order, so the partners in each column come in order too.
-        let mut next = self.column_starts()[..self.n()].to_vec();
-        let mut partner = vec![0; self.nnz()];
-        for (k, i, j) in self.entries() {
-            let place = next[i];
-            if place >= self.column(i).end || self.rows()[place] != j {
-                return None;
-            }
-            partner[k] = place;
+        let mut next = self.entries.column_starts[..self.n()].to_vec();
+        self.entries().all(|(_, i, j)| {
+            let partner = next[i] as usize;
             next[i] += 1;
-        }
-        Some(partner)
+            partner < self.column(i).end && self.row(partner) == j
+        })
     }
 
     /// This pattern with the whole diagonal, where each old entry went, and where the diagonal is.
     pub fn with_diagonal(&self) -> WithDiagonal {
-        let find = |pattern: &Pattern| (0..self.n()).map(|j| pattern.position(j, j)).collect();
-        let complete: Option<Vec<usize>> = find(self);
+        let find =
+            |pattern: &Pattern| (0..self.n()).map(|j| pattern.position(j, j).map(small)).collect();
+        let complete: Option<Vec<Index>> = find(self);
         if let Some(diagonal) = complete {
-            return WithDiagonal {
-                pattern: self.clone(),
-                entries: (0..self.nnz()).collect(),
-                diagonal,
-            };
+            return WithDiagonal { pattern: self.clone(), entries: None, diagonal };
         }
-        let columns = (0..self.n()).map(|j| {
-            let mut rows = self.rows()[self.column(j)].to_vec();
-            rows.push(j);
-            rows
-        });
+        let columns = (0..self.n()).map(|j| self.column_rows(j).chain([j]).collect());
         let pattern = Self::from_columns(columns);
-        let entries = self.entries().filter_map(|(_, i, j)| pattern.position(i, j)).collect();
-        let diagonal = (0..self.n()).filter_map(|j| pattern.position(j, j)).collect();
+        let place = |i, j| pattern.position(i, j).map(small);
+        let entries = Some(self.entries().filter_map(|(_, i, j)| place(i, j)).collect());
+        let diagonal = (0..self.n()).filter_map(|j| place(j, j)).collect();
         WithDiagonal { pattern, entries, diagonal }
     }
 }
@@ -201,12 +214,34 @@ impl Pattern {
 /// A pattern that contains the diagonal: [`Pattern::with_diagonal`].
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct WithDiagonal {
+    pattern: Pattern,
+    /// New position of every old entry; `None` if the old pattern had the diagonal.
+    entries: Option<Vec<Index>>,
+    diagonal: Vec<Index>,
+}
+
+impl WithDiagonal {
     /// The union of the old pattern and the diagonal.
-    pub pattern: Pattern,
-    /// New position of every old entry.
-    pub entries: Vec<usize>,
-    /// Position of every diagonal entry.
-    pub diagonal: Vec<usize>,
+    pub fn pattern(&self) -> &Pattern {
+        &self.pattern
+    }
+
+    /// Whether the old pattern had the diagonal: every entry keeps its position.
+    pub fn is_unchanged(&self) -> bool {
+        self.entries.is_none()
+    }
+
+    /// New position of old entry `k`.
+    #[inline]
+    pub fn entry(&self, k: usize) -> usize {
+        self.entries.as_ref().map_or(k, |entries| entries[k] as usize)
+    }
+
+    /// Position of the diagonal entry of column `j`.
+    #[inline]
+    pub fn diagonal(&self, j: usize) -> usize {
+        self.diagonal[j] as usize
+    }
 }
 
 #[cfg(test)]
@@ -216,8 +251,8 @@ mod tests {
     #[test]
     fn columns_are_sorted_and_free_of_repetitions() {
         let pattern = Pattern::from_rows(&[vec![1, 0, 1], vec![], vec![1]]);
-        assert_eq!(pattern.column_starts(), [0, 1, 3, 3]);
-        assert_eq!(pattern.rows(), [0, 0, 2]);
+        assert_eq!(pattern.stored(), (&[0, 1, 3, 3][..], &[0, 0, 2][..]));
+        assert_eq!(pattern.column_rows(1).collect::<Vec<_>>(), [0, 2]);
         assert_eq!(pattern.position(2, 1), Some(2));
         assert_eq!(pattern.position(1, 1), None);
         assert!(!pattern.is_dense());
@@ -234,12 +269,8 @@ mod tests {
     }
 
     #[test]
-    fn the_transposition_finds_the_partner_of_every_entry_or_says_that_one_is_missing() {
-        let symmetric = Pattern::from_rows(&[vec![1, 3], vec![0, 1], vec![], vec![0]]);
-        let partner = symmetric.transposition().expect("it is symmetric");
-        for (k, i, j) in symmetric.entries() {
-            assert_eq!(symmetric.position(j, i), Some(partner[k]));
-        }
+    fn a_pattern_is_symmetric_if_every_entry_has_its_partner() {
+        assert!(Pattern::from_rows(&[vec![1, 3], vec![0, 1], vec![], vec![0]]).is_symmetric());
         for rows in [[vec![1], vec![]], [vec![], vec![0]], [vec![0, 1], vec![1]]] {
             assert!(!Pattern::from_rows(&rows).is_symmetric());
         }
@@ -249,9 +280,17 @@ mod tests {
     fn a_complete_diagonal_leaves_the_pattern_as_it_is() {
         let pattern = Pattern::from_rows(&[vec![0, 1], vec![1]]);
         let with = pattern.with_diagonal();
-        assert_eq!(with.pattern, pattern);
-        assert_eq!(with.entries, [0, 1, 2]);
-        assert_eq!(with.diagonal, [0, 2]);
+        assert_eq!(*with.pattern(), pattern);
+        assert!(with.is_unchanged());
+        assert_eq!([0, 1, 2].map(|k| with.entry(k)), [0, 1, 2]);
+        assert_eq!([0, 1].map(|j| with.diagonal(j)), [0, 2]);
+    }
+
+    #[test]
+    fn a_matrix_without_entries_gets_its_diagonal() {
+        let with = Pattern::from_rows(&[vec![], vec![]]).with_diagonal();
+        assert!(!with.is_unchanged());
+        assert_eq!(with.pattern().nnz(), 2);
     }
 
     #[test]
@@ -260,10 +299,10 @@ mod tests {
         let with = pattern.with_diagonal();
         assert_eq!(with.pattern.nnz(), pattern.nnz() + 2);
         for (k, i, j) in pattern.entries() {
-            assert_eq!(with.pattern.position(i, j), Some(with.entries[k]));
+            assert_eq!(with.pattern.position(i, j), Some(with.entry(k)));
         }
         for j in 0..3 {
-            assert_eq!(with.pattern.position(j, j), Some(with.diagonal[j]));
+            assert_eq!(with.pattern.position(j, j), Some(with.diagonal(j)));
         }
     }
 }

@@ -1,8 +1,10 @@
 //! Which variables, definitions and parameters every row reads.
 
 use super::Pattern;
+pub(super) use super::pattern::small;
 use super::rows::{Kind, RowsIn};
 use crate::error::ModelError;
+use crate::generic::generic;
 use crate::model::{Family, Model, Point, Reader, Reads, Recorder, Row, Shape};
 use crate::scalar::{Real, Scalar, Trace};
 use std::cell::RefCell;
@@ -54,11 +56,6 @@ pub(super) struct Recorded {
     pub(super) definition_supports: Vec<Vec<u32>>,
 }
 
-/// Numbers of variables, definitions and entries of `J`.
-pub(super) fn small(k: usize) -> u32 {
-    u32::try_from(k).expect("fewer than 2^32 structural nonzeros")
-}
-
 /// Entry and length of a family.
 pub(super) fn block(family: &Family) -> (usize, usize) {
     (family.entry(), family.len())
@@ -70,8 +67,8 @@ pub(super) fn all_rows(blocks: impl Iterator<Item = (usize, usize)>) -> impl Ite
 }
 
 /// Runs every row once at the start of the model and notes what it reads, and what it reads `besides` by
-/// word of the caller: pairs of a variable, whose equation it is, and a variable read. At another point
-/// every row must read no more than that.
+/// word of the caller: pairs of a variable, whose equation it is, and a variable read. At three other
+/// points every row must read no more than that.
 pub(super) fn record_rows(
     model: &dyn RowsIn<f64>,
     shape: &Shape,
@@ -79,6 +76,8 @@ pub(super) fn record_rows(
 ) -> Result<Recorded, ModelError> {
     let (mut definitions, mut rows) = (ReadTable::default(), ReadTable::default());
     for_each_row(model, shape, shape.start(), &mut |row, reads| {
+        sort(&mut reads.variables);
+        sort(&mut reads.definitions);
         match row {
             Numbered::Definition(k) => {
                 if let Some(&later) = reads.definitions.iter().find(|&&d| d >= k) {
@@ -96,8 +95,7 @@ pub(super) fn record_rows(
                 let i = shape.variable_of_row(number);
                 let more = besides.iter().filter(|(equation, _)| *equation == i);
                 reads.variables.extend(more.map(|&(_, j)| j));
-                reads.variables.sort_unstable();
-                reads.variables.dedup();
+                sort(&mut reads.variables);
                 rows.push(reads);
             }
         }
@@ -113,21 +111,17 @@ pub(super) fn record_rows(
     Ok(recorded)
 }
 
-/// Every row once more, at a point away from the start and its special values: it reads nothing new.
+/// Where rows are run again: `z_j = z⁰_j + factor · part_j · max(|z⁰_j|, 1)`, with its own part of each
+/// variable, between −1 and 1. The first two are on either side of the start, the third is far away.
+const ELSEWHERE: [f64; 3] = [1.0, -1.0, 16.0];
+
+/// Every row again at points away from the start and its special values: it reads nothing new.
 fn check_reads(
     model: &dyn RowsIn<f64>,
     shape: &Shape,
     recorded: &Recorded,
 ) -> Result<(), ModelError> {
-    let bounds = shape.bounds();
-    let mut weyl = 0.0_f64;
-    let mut elsewhere = |(j, start): (usize, &f64)| {
-        weyl = (weyl + 0.618_033_988_749_894_9).fract();
-        let z = start + (2.0 * weyl - 1.0) * start.abs().max(1.0);
-        z.max(bounds.lower()[j]).min(bounds.upper()[j])
-    };
-    let z: Vec<f64> = shape.start().iter().enumerate().map(&mut elsewhere).collect();
-    for_each_row(model, shape, &z, &mut |row, reads| {
+    let mut check = |row: Numbered, reads: &mut Reads| {
         let known = match row {
             Numbered::Definition(k) => recorded.definitions.row(k),
             Numbered::Equation(number) => recorded.rows.row(number),
@@ -141,13 +135,26 @@ fn check_reads(
             (None, None) => return Ok(()),
         };
         Err(ModelError::ReadsVary { row: row.name(shape), read })
-    })
+    };
+    for factor in ELSEWHERE {
+        let moved = |(j, start): (usize, &f64)| {
+            start + factor * (2.0 * generic(j) - 1.0) * start.abs().max(1.0)
+        };
+        let mut z: Vec<f64> = shape.start().iter().enumerate().map(moved).collect();
+        shape.bounds().project(&mut z);
+        for_each_row(model, shape, &z, &mut check)?;
+    }
+    Ok(())
 }
 
-/// The first of sorted reads that is not among the known ones, which are sorted too.
+/// The first of the reads that is not among the known ones, which are sorted.
 fn first_unknown(reads: &[usize], known: &[u32]) -> Option<usize> {
-    let mut known = known.iter();
-    reads.iter().copied().find(|&read| !known.any(|&k| k as usize == read))
+    reads.iter().copied().find(|&read| known.binary_search(&small(read)).is_err())
+}
+
+fn sort(reads: &mut Vec<usize>) {
+    reads.sort_unstable();
+    reads.dedup();
 }
 
 /// A row by its number among those of its kind.
@@ -166,25 +173,34 @@ impl Numbered {
     }
 }
 
-/// Runs all definitions, then all equations at a point, and hands on what each reads, sorted.
+/// Runs all definitions, then all equations at a point, and hands on what each reads.
 fn for_each_row(
     model: &dyn RowsIn<f64>,
     shape: &Shape,
     z: &[f64],
     with: &mut dyn FnMut(Numbered, &mut Reads) -> Result<(), ModelError>,
 ) -> Result<(), ModelError> {
-    let unknown = vec![f64::NAN; shape.definition_count()];
-    let point = Point { z, definitions: &unknown, parameters: shape.parameter_values() };
-    let mut recorder = Recorder { point, reads: RefCell::new(Reads::default()) };
+    // A definition has a value once it has been run.
+    let mut definitions = vec![f64::NAN; shape.definition_count()];
+    let parameters = shape.parameter_values();
+    let mut reads = RefCell::new(Reads::default());
     for (k, row) in all_rows(shape.definitions().iter().map(block)).enumerate() {
         let number = Numbered::Definition(k);
+        let mut recorder =
+            Recorder { point: Point { z, definitions: &definitions, parameters }, reads };
         let run = |r: &Reader<'_, f64>| model.row_in(Kind::Definition, row, r);
-        with(number, record(shape, &mut recorder, number, run)?)?;
+        let value = record(shape, &mut recorder, number, run)?;
+        reads = recorder.reads;
+        definitions[k] = value;
+        with(number, reads.get_mut())?;
     }
+    let point = Point { z, definitions: &definitions, parameters };
+    let mut recorder = Recorder { point, reads };
     for (number, row) in all_rows(shape.equations().map(block)).enumerate() {
         let number = Numbered::Equation(number);
         let run = |r: &Reader<'_, f64>| model.row_in(Kind::Equation, row, r);
-        with(number, record(shape, &mut recorder, number, run)?)?;
+        record(shape, &mut recorder, number, run)?;
+        with(number, recorder.reads.get_mut())?;
     }
     Ok(())
 }
@@ -200,29 +216,27 @@ pub(super) fn support_of(reads: RowReads<'_>, definition_supports: &[Vec<u32>]) 
     support
 }
 
-/// Runs one row and gives its reads, sorted; reads that point nowhere are an error.
-fn record<'a>(
+/// Runs one row and gives its value; reads that point nowhere are an error.
+fn record(
     shape: &Shape,
-    recorder: &'a mut Recorder<'_>,
+    recorder: &mut Recorder<'_>,
     number: Numbered,
     row: impl FnOnce(&Reader<'_, f64>) -> Real<f64>,
-) -> Result<&'a mut Reads, ModelError> {
+) -> Result<f64, ModelError> {
     recorder.reads.get_mut().clear();
-    let _ = row(&Reader::other(&*recorder));
+    let value = row(&Reader::other(&*recorder)).0;
     let reads = recorder.reads.get_mut();
     let limits = [
-        ("variable", &mut reads.variables, shape.n()),
-        ("definition", &mut reads.definitions, shape.definition_count()),
-        ("parameter", &mut reads.parameters, shape.parameter_values().len()),
+        ("variable", &reads.variables, shape.n()),
+        ("definition", &reads.definitions, shape.definition_count()),
+        ("parameter", &reads.parameters, shape.parameter_values().len()),
     ];
     for (kind, list, count) in limits {
-        list.sort_unstable();
-        list.dedup();
-        if let Some(&index) = list.last().filter(|&&last| last >= count) {
+        if let Some(&index) = list.iter().find(|&&read| read >= count) {
             return Err(ModelError::ReadOutOfRange { row: number.name(shape), kind, index, count });
         }
     }
-    Ok(reads)
+    Ok(value)
 }
 
 /// Pattern of a model whose rows come from one function: dependencies traced through the function,

@@ -3,7 +3,7 @@
 use crate::model::{Equation, Model, Reader, Set, Shape, Variable};
 use crate::problem::{AdProblem, Pattern, Problem};
 use crate::scalar::{Real, Scalar};
-use crate::solver::{DomainFault, Method, Solution, Stats, Status, examine};
+use crate::solver::{DomainFault, Fill, Method, Solution, Stats, Status, examine};
 use std::io::{self, Write};
 use std::sync::Arc;
 
@@ -54,6 +54,7 @@ impl Linear {
             status,
             certificate: examine(self, z).unwrap(),
             stats,
+            fill: Fill::default(),
             method: Method::NewtonFb,
             fault: None,
             start_was_moved: false,

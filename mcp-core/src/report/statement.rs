@@ -202,7 +202,7 @@ impl Statement {
     /// Equations and variables without structural nonzeros.
     fn note_unconnected(&mut self, shape: &Shape, pattern: &Pattern) {
         let mut reads = vec![false; pattern.n()];
-        pattern.rows().iter().for_each(|&i| reads[i] = true);
+        pattern.rows().for_each(|i| reads[i] = true);
         for i in 0..pattern.n() {
             if !reads[i] && shape.row_of_variable(i).is_some() {
                 self.constant_equations.note(|| shape.equation_name(i));

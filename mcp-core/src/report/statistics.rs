@@ -96,7 +96,7 @@ impl Statistics {
         let gradient = |j: usize| {
             let column = pattern.column(j);
             let terms = column.map(|k| {
-                let i = pattern.rows()[k];
+                let i = pattern.row(k);
                 // Equations of fixed variables are not part of the merit, whatever J holds.
                 if db[i] == 0.0 { 0.0 } else { jac[k] * db[i] * phi[i] }
             });

@@ -26,7 +26,7 @@
 //! 0 at the point and at the start have no scale but that of `F` and `J`.
 
 use crate::error::ModelError;
-use crate::problem::{Pattern, Problem};
+use crate::problem::{Index, Pattern, Problem, small};
 
 /// What was found at a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -142,7 +142,7 @@ pub(crate) struct Certifier {
     row_max: Vec<i32>,
     column_max: Vec<i32>,
     /// For every variable one further on the way to the representative of its block.
-    block: Vec<usize>,
+    block: Vec<Index>,
     /// By representative of a block: means at the point and at the start, and the gauge.
     mean_z: Vec<Mean>,
     mean_start: Vec<Mean>,
@@ -204,6 +204,11 @@ impl Certifier {
         &self.f
     }
 
+    /// The same, to be taken out; another list of `n` numbers has to take its place.
+    pub(crate) fn f_mut(&mut self) -> &mut Vec<f64> {
+        &mut self.f
+    }
+
     /// `w_j`, what counts as the size of each variable at the point judged last.
     pub(crate) fn weight(&self) -> &[f64] {
         &self.weight
@@ -217,6 +222,11 @@ impl Certifier {
     /// `J` at the point judged last.
     pub(crate) fn jac(&self) -> &[f64] {
         &self.jac
+    }
+
+    /// The memory of `J`, for other use between two judgements.
+    pub(crate) fn spare(&mut self) -> &mut Vec<f64> {
+        &mut self.jac
     }
 
     pub(crate) fn judge(&mut self, problem: &mut dyn Problem, z: &[f64]) -> Certificate {
@@ -278,7 +288,7 @@ impl Certifier {
         self.column_scale.fill(0);
         // Rows first: in whatever units an equation is, the columns see the same matrix.
         self.row_max.fill(NONE);
-        for (&i, &entry) in pattern.rows().iter().zip(&self.jac) {
+        for (i, &entry) in pattern.rows().zip(&self.jac) {
             if entry != 0.0 {
                 self.row_max[i] = self.row_max[i].max(exponent(entry));
             }
@@ -291,7 +301,7 @@ impl Certifier {
             self.column_max.fill(NONE);
             for j in 0..pattern.n() {
                 for k in pattern.column(j) {
-                    let i = pattern.rows()[k];
+                    let i = pattern.row(k);
                     if self.jac[k] != 0.0 {
                         let e = exponent(self.jac[k]) + self.row_scale[i] + self.column_scale[j];
                         self.row_max[i] = self.row_max[i].max(e);
@@ -316,7 +326,7 @@ impl Certifier {
 
     /// Blocks of variables that nonzeros of `J` connect, equation `i` going with variable `i`.
     fn connect(&mut self, pattern: &Pattern) {
-        for (j, block) in self.block.iter_mut().enumerate() {
+        for (block, j) in self.block.iter_mut().zip(0..) {
             *block = j;
         }
         let mut blocks = pattern.n();
@@ -326,8 +336,8 @@ impl Certifier {
                     return;
                 }
                 if self.jac[k] != 0.0 {
-                    let (a, b) = (self.representative(pattern.rows()[k]), self.representative(j));
-                    self.block[a.max(b)] = a.min(b);
+                    let (a, b) = (self.representative(pattern.row(k)), self.representative(j));
+                    self.block[a.max(b)] = small(a.min(b));
                     blocks -= usize::from(a != b);
                 }
             }
@@ -336,9 +346,9 @@ impl Certifier {
 
     /// The smallest variable known to be in the block, with the way there halved.
     fn representative(&mut self, mut j: usize) -> usize {
-        while self.block[j] != j {
-            self.block[j] = self.block[self.block[j]];
-            j = self.block[j];
+        while self.block[j] as usize != j {
+            self.block[j] = self.block[self.block[j] as usize];
+            j = self.block[j] as usize;
         }
         j
     }
@@ -355,7 +365,7 @@ impl Certifier {
 
     /// The gauges of all blocks.
     fn measure(&mut self, z: &[f64], start: &[f64]) {
-        for j in (0..z.len()).filter(|&j| self.block[j] == j) {
+        for j in (0..z.len()).filter(|&j| self.block[j] as usize == j) {
             (self.mean_z[j], self.mean_start[j]) = ([0; 2], [0; 2]);
         }
         for j in 0..z.len() {
@@ -364,7 +374,7 @@ impl Certifier {
             add(&mut self.mean_start[block], start[j], self.column_scale[j]);
         }
         let mut all_known = true;
-        for j in (0..z.len()).filter(|&j| self.block[j] == j) {
+        for j in (0..z.len()).filter(|&j| self.block[j] as usize == j) {
             let gauge = gauge(self.mean_z[j], self.mean_start[j]);
             self.gauge[j] = gauge.unwrap_or(NONE);
             all_known &= gauge.is_some();
@@ -387,7 +397,7 @@ impl Certifier {
                 self.mean_start[block] = [smallest, 1];
             }
         }
-        for j in (0..self.f.len()).filter(|&j| self.block[j] == j) {
+        for j in (0..self.f.len()).filter(|&j| self.block[j] as usize == j) {
             if self.gauge[j] == NONE {
                 let unit = value(self.mean_start[j]).unwrap_or(0);
                 let newton = value(self.mean_z[j]).unwrap_or(unit);
@@ -403,7 +413,7 @@ impl Certifier {
             for k in pattern.column(j) {
                 let size = self.jac[k].abs();
                 if size >= f64::MIN_POSITIVE {
-                    self.row_size[pattern.rows()[k]] += size * self.weight[j];
+                    self.row_size[pattern.row(k)] += size * self.weight[j];
                 }
             }
         }

@@ -63,7 +63,7 @@ pub use options::{Criterion, Descent, Method, Options, UnknownMethod};
 pub use point_check::{PointCheck, PointRow, Violation, WrongPoint, check_point};
 pub use robust::Robust;
 pub use sequence::{solve_sequence, solve_sequence_with};
-pub use solution::{DomainFault, NotSolved, Solution, Stats};
+pub use solution::{DomainFault, Fill, NotSolved, Solution, Stats};
 pub use stage::{Stage, StageEnd, StageRecord};
 pub use status::Status;
 
@@ -73,7 +73,7 @@ use crate::model::Model;
 use crate::problem::{AdProblem, Problem};
 use run::Run;
 use std::ops::ControlFlow;
-use workspace::Workspace;
+use workspace::{Workspace, resize};
 
 /// Solves a model from its own start.
 ///
@@ -209,6 +209,16 @@ impl Solver {
         start: Option<&[f64]>,
         monitor: Option<&mut dyn Monitor>,
     ) -> Result<&Solution, ModelError> {
+        let work = self.prepare(problem, start)?;
+        Ok(self.go(problem, work, monitor))
+    }
+
+    /// The workspace, with the first iterate.
+    fn prepare(
+        &mut self,
+        problem: &dyn Problem,
+        start: Option<&[f64]>,
+    ) -> Result<Workspace, ModelError> {
         if let Some(start) = start {
             problem.shape().check_start(start)?;
         }
@@ -222,10 +232,20 @@ impl Solver {
             }
         };
         work.set_bounds(problem.shape());
+        work.system.begin();
         work.reference.reset();
         work.current.z.copy_from_slice(start.unwrap_or(problem.shape().start()));
         problem.shape().bounds().project(&mut work.current.z);
+        Ok(work)
+    }
 
+    /// Solves from the iterate in `work`.
+    fn go(
+        &mut self,
+        problem: &mut dyn Problem,
+        mut work: Workspace,
+        monitor: Option<&mut dyn Monitor>,
+    ) -> &Solution {
         let monitor = monitor.map(|monitor| monitor as &mut dyn Monitor);
         let mut run = Run::new(problem, &self.options, &mut work, monitor);
         let ControlFlow::Break(status) = match self.options.method {
@@ -237,8 +257,14 @@ impl Solver {
         };
         finish(&mut run, status, &mut self.solution);
         self.workspace = Some(work);
-        Ok(&self.solution)
+        &self.solution
     }
+}
+
+/// Exchanges lists of the same length; one that has another becomes zeros first.
+fn exchange(to: &mut Vec<f64>, from: &mut Vec<f64>) {
+    resize(to, from.len());
+    std::mem::swap(to, from);
 }
 
 /// The certificate has the last word: it judges every end that it has not judged yet.
@@ -251,10 +277,11 @@ fn finish(run: &mut Run<'_>, status: Status, solution: &mut Solution) {
     };
     solution.certificate = certificate;
     solution.shape.clone_from(run.problem.shape());
-    solution.z.clone_from(&run.work.answer);
-    solution.f.clear();
-    solution.f.extend_from_slice(run.work.certifier.f());
+    // Both are written before they are read again.
+    exchange(&mut solution.z, &mut run.work.answer);
+    exchange(&mut solution.f, run.work.certifier.f_mut());
     solution.stats = run.stats;
+    solution.fill = run.work.system.fill();
     solution.method = run.options.method;
     let fault = run.fault.filter(|_| solution.status == Status::DomainError);
     solution.fault = fault.map(|fault| DomainFault {

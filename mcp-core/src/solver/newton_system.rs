@@ -21,9 +21,10 @@
 //! be brought below [`ACCEPTABLE`], and every other matrix, is left to LU with pivoting, as it stands.
 
 use super::options::Options;
+use super::solution::Fill;
 use crate::error::ModelError;
 use crate::linalg::{FaerCholesky, Linear, LinearSolver};
-use crate::problem::{Pattern, WithDiagonal};
+use crate::problem::{Index, Pattern, WithDiagonal};
 
 /// `b_i / a_i` up to which row `i` says what `d_i` is.
 const KNOWN: f64 = 1e-12;
@@ -43,15 +44,15 @@ pub(super) type Rows<'a> = (&'a [f64], &'a [f64]);
 pub(super) struct NewtonSystem {
     /// The pattern of `J`.
     source: Pattern,
-    /// That with the diagonal, and where the diagonal stands.
-    pattern: Pattern,
-    /// New position of every entry of `J`; empty if the patterns are the same.
-    entries: Vec<usize>,
-    diagonal: Vec<usize>,
+    /// That of `H`.
+    with_diagonal: WithDiagonal,
+    /// Entries of `H` while it is factored. Where `J` has the diagonal, the memory the caller lends takes
+    /// their place.
     values: Vec<f64>,
     general: General,
     symmetric: Option<Symmetric>,
-    /// Whether the factors at hand are those of the reduced matrix.
+    /// Whether there are factors, and whether they are those of the reduced matrix.
+    is_factored: bool,
     is_reduced: bool,
 }
 
@@ -76,7 +77,7 @@ struct Symmetric {
     correction: Vec<f64>,
     size: Vec<f64>,
     /// Next entry of each column while symmetry is tested.
-    next: Vec<usize>,
+    next: Vec<Index>,
 }
 
 impl Symmetric {
@@ -104,12 +105,10 @@ impl NewtonSystem {
         options: &Options,
         custom: &mut Option<Box<dyn LinearSolver>>,
     ) -> Result<Self, ModelError> {
-        let WithDiagonal { pattern, mut entries, diagonal } = source.with_diagonal();
-        if pattern == *source {
-            entries = Vec::new();
-        }
+        let with_diagonal = source.with_diagonal();
+        let pattern = with_diagonal.pattern();
         if let Some(linear) = custom {
-            linear.analyse(&pattern)?;
+            linear.analyse(pattern)?;
         }
         let n = pattern.n();
         let may_be_symmetric = || source.is_symmetric();
@@ -118,11 +117,11 @@ impl NewtonSystem {
                 custom.take().map(|linear| Symmetric::new(n, linear, true))
             }
             None if options.linear == Linear::Auto
-                && options.linear.resolve(&pattern) == Linear::FaerSparse
+                && options.linear.resolve(pattern) == Linear::FaerSparse
                 && may_be_symmetric() =>
             {
                 let mut cholesky = FaerCholesky::new();
-                cholesky.analyse(&pattern)?;
+                cholesky.analyse(pattern)?;
                 Some(Symmetric::new(n, Box::new(cholesky), false))
             }
             _ => None,
@@ -130,21 +129,20 @@ impl NewtonSystem {
         let is_custom = custom.is_some();
         let linear = match custom.take() {
             Some(linear) => linear,
-            None => options.linear.solver_for(&pattern)?,
+            None => options.linear.solver_for(pattern)?,
         };
         let mut general = General { linear, is_analysed: is_custom, is_custom };
         if symmetric.is_none() && !is_custom {
-            general.linear.analyse(&pattern)?;
+            general.linear.analyse(pattern)?;
             general.is_analysed = true;
         }
         Ok(NewtonSystem {
             source: source.clone(),
-            values: vec![0.0; pattern.nnz()],
-            pattern,
-            entries,
-            diagonal,
+            values: vec![0.0; if with_diagonal.is_unchanged() { 0 } else { pattern.nnz() }],
+            with_diagonal,
             general,
             symmetric,
+            is_factored: false,
             is_reduced: false,
         })
     }
@@ -161,6 +159,19 @@ impl NewtonSystem {
         reduced.map(|symmetric| symmetric.linear).or(general)
     }
 
+    /// Forgets the factors of the last solve.
+    pub(super) fn begin(&mut self) {
+        (self.is_factored, self.is_reduced) = (false, false);
+    }
+
+    /// Entries of `H`, and of the factors at hand.
+    pub(super) fn fill(&self) -> Fill {
+        let reduced = self.symmetric.as_ref().filter(|_| self.is_reduced);
+        let linear = reduced.map_or(&self.general.linear, |symmetric| &symmetric.linear);
+        let factors = if self.is_factored { linear.fill() } else { None };
+        Fill { matrix: self.with_diagonal.pattern().nnz(), factors }
+    }
+
     /// How far an iterative solver has to reduce the residual of the next system.
     pub(super) fn set_accuracy(&mut self, relative: f64) {
         self.general.linear.set_accuracy(relative);
@@ -169,43 +180,71 @@ impl NewtonSystem {
         }
     }
 
-    /// Solves `H d = −r`; false if the matrix is singular or `d` not finite.
-    pub(super) fn solve(&mut self, jac: &[f64], rows: Rows<'_>, r: &[f64], d: &mut [f64]) -> bool {
-        self.factor(jac, rows).is_some() && {
-            self.back_solve(jac, rows, r, d);
+    /// Solves `H d = −r`; false if the matrix is singular or `d` not finite. `spare` is memory for as many
+    /// numbers as `J` has entries.
+    pub(super) fn solve(
+        &mut self,
+        jac: &[f64],
+        spare: &mut [f64],
+        rows: Rows<'_>,
+        r: &[f64],
+        d: &mut [f64],
+    ) -> bool {
+        self.factor(jac, spare, rows).is_some() && {
+            self.back_solve(jac, spare, rows, r, d);
             d.iter().all(|d| d.is_finite())
         }
     }
 
     /// Factors `H` and returns its pivot ratio; `None` if it is singular.
-    pub(super) fn factor(&mut self, jac: &[f64], rows: Rows<'_>) -> Option<f64> {
-        if self.is_symmetric(jac) && self.reduce(jac, rows) {
+    pub(super) fn factor(&mut self, jac: &[f64], spare: &mut [f64], rows: Rows<'_>) -> Option<f64> {
+        if self.is_symmetric(jac) && self.reduce(jac, spare, rows) {
             let symmetric = self.symmetric.as_mut()?;
-            if let Ok(info) = symmetric.linear.factor(&self.values) {
-                self.is_reduced = true;
+            let values = if self.with_diagonal.is_unchanged() { &*spare } else { &self.values[..] };
+            if let Ok(info) = symmetric.linear.factor(values) {
+                (self.is_factored, self.is_reduced) = (true, true);
                 return Some(info.pivot_ratio);
             }
         }
-        self.factor_general(jac, rows)
+        self.factor_general(jac, spare, rows)
     }
 
     /// LU of `H`.
-    fn factor_general(&mut self, jac: &[f64], rows: Rows<'_>) -> Option<f64> {
-        self.is_reduced = false;
-        if !self.general.is_analysed {
-            self.general.linear.analyse(&self.pattern).ok()?;
-            self.general.is_analysed = true;
+    fn factor_general(&mut self, jac: &[f64], spare: &mut [f64], (a, b): Rows<'_>) -> Option<f64> {
+        let General { linear, is_analysed, .. } = &mut self.general;
+        let with_diagonal = &self.with_diagonal;
+        (self.is_factored, self.is_reduced) = (false, false);
+        if !*is_analysed {
+            linear.analyse(with_diagonal.pattern()).ok()?;
+            *is_analysed = true;
         }
-        self.assemble(jac, rows);
-        self.general.linear.factor(&self.values).ok().map(|info| info.pivot_ratio)
+        // H = diag(a) + diag(b) J.
+        let values = if with_diagonal.is_unchanged() { spare } else { &mut self.values };
+        values.fill(0.0);
+        for (k, (i, &value)) in self.source.rows().zip(jac).enumerate() {
+            values[with_diagonal.entry(k)] = b[i] * value;
+        }
+        for (j, &a) in a.iter().enumerate() {
+            values[with_diagonal.diagonal(j)] += a;
+        }
+        let info = linear.factor(values).ok()?;
+        self.is_factored = true;
+        Some(info.pivot_ratio)
     }
 
     /// `d` of the system factored last, with the right-hand side `−r`; NaN if there is none.
-    pub(super) fn back_solve(&mut self, jac: &[f64], rows: Rows<'_>, r: &[f64], d: &mut [f64]) {
+    pub(super) fn back_solve(
+        &mut self,
+        jac: &[f64],
+        spare: &mut [f64],
+        rows: Rows<'_>,
+        r: &[f64],
+        d: &mut [f64],
+    ) {
         if self.is_reduced && self.back_solve_reduced(jac, rows, r, d) {
             return;
         }
-        if self.is_reduced && self.factor_general(jac, rows).is_none() {
+        if self.is_reduced && self.factor_general(jac, spare, rows).is_none() {
             d.fill(f64::NAN);
             return;
         }
@@ -215,44 +254,27 @@ impl NewtonSystem {
         self.general.linear.solve(d);
     }
 
-    /// `H = diag(a) + diag(b) J`.
-    fn assemble(&mut self, jac: &[f64], (a, b): Rows<'_>) {
-        if self.entries.is_empty() {
-            for ((to, &value), &i) in self.values.iter_mut().zip(jac).zip(self.source.rows()) {
-                *to = b[i] * value;
-            }
-        } else {
-            self.values.fill(0.0);
-            for ((&to, &value), &i) in self.entries.iter().zip(jac).zip(self.source.rows()) {
-                self.values[to] = b[i] * value;
-            }
-        }
-        for (&to, &a) in self.diagonal.iter().zip(a) {
-            self.values[to] += a;
-        }
-    }
-
     /// Whether a symmetric solver is at hand and `diag(t) J` is symmetric up to rounding with some
     /// `t ≠ 0`, which it finds in one sweep: `t_i = t_j J_ji / J_ij` for the first neighbour `j` of `i`.
     fn is_symmetric(&mut self, jac: &[f64]) -> bool {
         let Some(Symmetric { next, t, .. }) = &mut self.symmetric else { return false };
         let pattern = &self.source;
         next.clear();
-        next.extend_from_slice(&pattern.column_starts()[..pattern.n()]);
+        next.extend_from_slice(&pattern.stored().0[..pattern.n()]);
         t.fill(0.0);
         for j in 0..pattern.n() {
             if t[j] == 0.0 {
                 t[j] = 1.0;
             }
             for k in pattern.column(j) {
-                let i = pattern.rows()[k];
+                let i = pattern.row(k);
                 // Columns are swept in order, so the partners in column i come in order too.
-                let partner = next[i];
+                let partner = next[i] as usize;
                 next[i] += 1;
                 if i <= j {
                     continue;
                 }
-                let is_partner = partner < pattern.column(i).end && pattern.rows()[partner] == j;
+                let is_partner = partner < pattern.column(i).end && pattern.row(partner) == j;
                 if !is_partner {
                     return false;
                 }
@@ -275,8 +297,9 @@ impl NewtonSystem {
         true
     }
 
-    /// Writes the reduced matrix into `values`; false if a row is not of its kind.
-    fn reduce(&mut self, jac: &[f64], (a, b): Rows<'_>) -> bool {
+    /// Assembles the reduced matrix; false if a row is not of its kind.
+    fn reduce(&mut self, jac: &[f64], spare: &mut [f64], (a, b): Rows<'_>) -> bool {
+        let with_diagonal = &self.with_diagonal;
         let Some(Symmetric { known, t, .. }) = &mut self.symmetric else { return false };
         for (known, (&a, &b)) in known.iter_mut().zip(a.iter().zip(b)) {
             if !(a >= 0.0 && b >= 0.0) {
@@ -284,21 +307,22 @@ impl NewtonSystem {
             }
             *known = b <= KNOWN * a;
         }
-        if !self.entries.is_empty() {
-            self.values.fill(0.0);
-        }
+        let values = if with_diagonal.is_unchanged() { spare } else { &mut self.values };
+        values.fill(0.0);
         for j in 0..self.source.n() {
             for k in self.source.column(j) {
-                let i = self.source.rows()[k];
-                let to = if self.entries.is_empty() { k } else { self.entries[k] };
-                self.values[to] = if known[i] || known[j] { 0.0 } else { t[i] * jac[k] };
+                let i = self.source.row(k);
+                if !(known[i] || known[j]) {
+                    values[with_diagonal.entry(k)] = t[i] * jac[k];
+                }
             }
         }
-        for (j, &to) in self.diagonal.iter().enumerate() {
-            if known[j] {
-                self.values[to] = 1.0;
+        for (j, &known) in known.iter().enumerate() {
+            let to = with_diagonal.diagonal(j);
+            if known {
+                values[to] = 1.0;
             } else {
-                self.values[to] += t[j] * a[j] / b[j];
+                values[to] += t[j] * a[j] / b[j];
             }
         }
         true
@@ -324,7 +348,7 @@ impl NewtonSystem {
             for j in (0..known.len()).filter(|&j| known[j]) {
                 if d[j] != 0.0 {
                     for k in pattern.column(j) {
-                        let i = pattern.rows()[k];
+                        let i = pattern.row(k);
                         if !known[i] {
                             d[i] -= t[i] * jac[k] * d[j];
                         }
@@ -375,7 +399,7 @@ fn residual_of(
     }
     for (j, &d) in d.iter().enumerate() {
         for k in pattern.column(j) {
-            let i = pattern.rows()[k];
+            let i = pattern.row(k);
             let term = b[i] * jac[k] * d;
             residual[i] += term;
             size[i] += term.abs();

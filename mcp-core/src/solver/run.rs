@@ -114,7 +114,7 @@ impl<'a> Run<'a> {
         loop {
             self.stats.residual_evaluations += 1;
             let work = &mut *self.work;
-            work.current.evaluate(self.problem, &work.rows);
+            work.current.evaluate(self.problem, &work.kinds);
             let merit = work.current.merit;
             if merit.is_nan() {
                 self.note_fault_of_residual(None);
@@ -153,7 +153,7 @@ impl<'a> Run<'a> {
 
     /// Monitor, limits, stall; then `Da`, `Db` and `∇θ` at the iterate. Iterations begin here.
     pub(super) fn begin_iteration(&mut self) -> Flow {
-        self.work.linearise(self.problem.pattern());
+        self.work.linearise(self.problem);
         self.accuracy = self.forcing.next(self.work.current.merit);
         if self.options.criterion.needs_gradient() {
             self.end_if_solved()?;
@@ -183,7 +183,7 @@ impl<'a> Run<'a> {
     pub(super) fn evaluate_current(&mut self) {
         self.stats.residual_evaluations += 1;
         let work = &mut *self.work;
-        work.current.evaluate(self.problem, &work.rows);
+        work.current.evaluate(self.problem, &work.kinds);
     }
 
     /// Tells the monitor about the iterate.
@@ -268,8 +268,9 @@ impl<'a> Run<'a> {
         let accuracy = self.accuracy;
         let work = &mut *self.work;
         work.system.set_accuracy(accuracy);
-        let (a, b) = (&work.da[..], &work.db[..]);
-        let solved = work.system.solve(&work.jac, (a, b), &work.current.phi, &mut work.direction);
+        let (rows, spare) = ((&work.a[..], &work.b[..]), work.certifier.spare());
+        let solved =
+            work.system.solve(&work.jac, spare, rows, &work.current.phi, &mut work.direction);
         self.system_is_singular = !solved;
         solved.then_some(Direction::FischerBurmeister)
     }
@@ -281,15 +282,19 @@ impl<'a> Run<'a> {
         let work = &mut *self.work;
         work.system.set_accuracy(accuracy);
         work.linearise_min(self.problem.shape());
-        let (a, b) = (&work.min_a[..], &work.min_b[..]);
-        let solved = work.system.solve(&work.jac, (a, b), &work.min, &mut work.direction);
+        let (rows, spare) = ((&work.a[..], &work.b[..]), work.certifier.spare());
+        let solved = work.system.solve(&work.jac, spare, rows, &work.answer, &mut work.direction);
         self.system_is_singular = !solved;
+        if !solved {
+            // The rows of the equations `Φ = 0` are asked for next.
+            work.linearise(self.problem);
+        }
         solved.then_some(Direction::MinMap)
     }
 
     /// `d = −∇θ` and its slope `−‖∇θ‖²`; ends the solve where the gradient vanishes.
     pub(super) fn gradient_direction(&mut self) -> Flow<(Direction, f64)> {
-        if self.work.relative_gradient(self.problem.pattern()) <= ZERO_GRADIENT {
+        if self.relative_gradient() <= ZERO_GRADIENT {
             return Break(self.status_without_progress(Status::LineSearchFailed));
         }
         let work = &mut *self.work;
@@ -320,7 +325,7 @@ impl<'a> Run<'a> {
         for ((to, z), d) in point.z.iter_mut().zip(&work.current.z).zip(&work.direction) {
             *to = z + t * d;
         }
-        point.evaluate(self.problem, &work.rows);
+        point.evaluate(self.problem, &work.kinds);
         let merit = point.merit;
         if merit.is_nan() {
             self.note_fault_of_residual(Some(candidate));
@@ -401,13 +406,14 @@ impl<'a> Run<'a> {
     fn evaluate_jacobian(&mut self) -> bool {
         self.stats.jacobian_evaluations += 1;
         let work = &mut *self.work;
-        self.problem.evaluate(&work.current.z, None, Some(&mut work.jac_trial));
-        if let Some(fault) = Fault::of_jacobian(self.problem.pattern(), &work.jac_trial) {
+        let jac = work.certifier.spare();
+        self.problem.evaluate(&work.current.z, None, Some(jac));
+        if let Some(fault) = Fault::of_jacobian(self.problem.pattern(), jac) {
             self.fault = Some(fault);
             work.fault_point.copy_from_slice(&work.current.z);
             return false;
         }
-        std::mem::swap(&mut work.jac, &mut work.jac_trial);
+        std::mem::swap(&mut work.jac, jac);
         true
     }
 
@@ -425,9 +431,15 @@ impl<'a> Run<'a> {
         }
     }
 
+    /// `‖∇θ‖∞` at the iterate relative to its terms, whatever was linearised last.
+    fn relative_gradient(&mut self) -> f64 {
+        self.work.linearise(self.problem);
+        self.work.relative_gradient(self.problem.pattern())
+    }
+
     /// Why the merit does not fall any further: for lack of a direction, or `otherwise`.
-    fn status_without_progress(&self, otherwise: Status) -> Status {
-        let gradient = self.work.relative_gradient(self.problem.pattern());
+    fn status_without_progress(&mut self, otherwise: Status) -> Status {
+        let gradient = self.relative_gradient();
         if self.system_is_singular && gradient <= ZERO_GRADIENT {
             Status::SingularSystem
         } else if gradient.min(self.work.relative_slope()) <= SMALL_GRADIENT {

@@ -71,7 +71,7 @@ pub fn solve_sequence_with<M: Model>(
             Some(coarse) => Some(prolong(coarse, &model)?),
             None => None,
         };
-        let solution = solve_one(solver(&model)?, &mut AdProblem::new(&model)?, start.as_deref())?;
+        let solution = solve_one(solver(&model)?, &mut AdProblem::new(&model)?, start)?;
         solutions.push(solution);
     }
     Ok(solutions)
@@ -81,9 +81,11 @@ pub fn solve_sequence_with<M: Model>(
 fn solve_one(
     mut solver: Solver,
     problem: &mut dyn Problem,
-    start: Option<&[f64]>,
+    start: Option<Vec<f64>>,
 ) -> Result<Solution, ModelError> {
-    solver.run(problem, start, None)?;
+    let work = solver.prepare(problem, start.as_deref())?;
+    drop(start);
+    solver.go(problem, work, None);
     Ok(solver.solution)
 }
 

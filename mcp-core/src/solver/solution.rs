@@ -39,6 +39,8 @@ pub struct Solution {
     pub certificate: Certificate,
     /// What it cost.
     pub stats: Stats,
+    /// How much the Newton matrices fill when they are factored.
+    pub fill: Fill,
     /// The method that ran.
     pub method: Method,
     /// For [`Status::DomainError`]: what was not finite, and where.
@@ -63,6 +65,7 @@ impl Solution {
             status: Status::IterationLimit,
             certificate: Certificate::nothing(),
             stats: Stats::default(),
+            fill: Fill::default(),
             method: Method::default(),
             fault: None,
             start_was_moved: false,
@@ -124,6 +127,7 @@ impl fmt::Debug for Solution {
             .field("status", &self.status)
             .field("certificate", &self.certificate)
             .field("stats", &self.stats)
+            .field("fill", &self.fill)
             .field("method", &self.method)
             .field("fault", &self.fault)
             .field("start_was_moved", &self.start_was_moved)
@@ -171,6 +175,17 @@ pub struct Stats {
     pub gradient_steps: usize,
     /// Evaluations of `F` and `J` by the certificate.
     pub certificate_evaluations: usize,
+}
+
+/// Entries of a Newton matrix and of its factors.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct Fill {
+    /// Entries of the matrix: those of `J` and its diagonal.
+    pub matrix: usize,
+    /// Entries of the factors of the last matrix; `None` where nothing was factored and where the linear
+    /// solver does not tell ([`LinearSolver::fill`](crate::LinearSolver::fill)).
+    pub factors: Option<usize>,
 }
 
 /// A non-finite value of `F` or `J` that stopped a solve.

@@ -8,7 +8,7 @@ use super::{pivot, robust};
 use crate::error::ModelError;
 use crate::globalise::Reference;
 use crate::linalg::LinearSolver;
-use crate::model::Shape;
+use crate::model::{BoundKind, Shape};
 use crate::ncp::{Branch, Reformulation, mid};
 use crate::problem::{Pattern, Problem};
 
@@ -24,10 +24,7 @@ pub(super) struct Point {
 impl Point {
     pub(super) fn resize(&mut self, n: usize) {
         for list in [&mut self.z, &mut self.f, &mut self.phi] {
-            if list.len() != n {
-                // Fresh zeros cost no memory before they are written.
-                *list = vec![0.0; n];
-            }
+            resize(list, n);
         }
     }
 
@@ -40,10 +37,12 @@ impl Point {
     }
 
     /// `F`, `Φ` and `θ` at `z`.
-    pub(super) fn evaluate(&mut self, problem: &mut dyn Problem, rows: &[Reformulation]) {
+    pub(super) fn evaluate(&mut self, problem: &mut dyn Problem, kinds: &[BoundKind]) {
         problem.evaluate(&self.z, Some(&mut self.f), None);
+        let bounds = problem.shape().bounds();
         let mut square = 0.0;
-        for (i, row) in rows.iter().enumerate() {
+        for (i, &kind) in kinds.iter().enumerate() {
+            let row = Reformulation::of_kind(kind, bounds, i);
             self.phi[i] = row.value(self.z[i], self.f[i]);
             square += self.phi[i] * self.phi[i];
         }
@@ -69,6 +68,14 @@ impl Point {
     }
 }
 
+/// Zeros of another length, or else the list as it is. Fresh zeros cost no memory before they are
+/// written.
+pub(super) fn resize(list: &mut Vec<f64>, len: usize) {
+    if list.len() != len {
+        *list = vec![0.0; len];
+    }
+}
+
 /// The min map at a point.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Natural {
@@ -79,31 +86,27 @@ pub(super) struct Natural {
 
 /// Everything a solve needs; kept for the next problem of the same pattern, made anew for another.
 pub(super) struct Workspace {
-    pub(super) rows: Vec<Reformulation>,
+    /// What the bounds of every variable mean.
+    pub(super) kinds: Vec<BoundKind>,
     /// The iterate.
     pub(super) current: Point,
     /// The trial point at hand.
     pub(super) trial: Point,
     /// The full Newton step, kept while the search looks at others.
     pub(super) full: Point,
-    /// The iterate moved into the box: what is judged and returned.
+    /// The iterate moved into the box: what is judged and returned. Between two judgements, the min map
+    /// at the iterate.
     pub(super) answer: Vec<f64>,
     /// Where `F` or `J` was last seen not to be finite.
     pub(super) fault_point: Vec<f64>,
     /// `J` at the iterate.
     pub(super) jac: Vec<f64>,
-    /// `J` at a trial point that is about to be accepted.
-    pub(super) jac_trial: Vec<f64>,
-    /// `H = diag(Da) + diag(Db) J`.
-    pub(super) da: Vec<f64>,
-    pub(super) db: Vec<f64>,
+    /// `H = diag(a) + diag(b) J`: of the Fischer–Burmeister equations, or of the min map.
+    pub(super) a: Vec<f64>,
+    pub(super) b: Vec<f64>,
     /// `∇θ = HᵀΦ`.
     pub(super) gradient: Vec<f64>,
     pub(super) direction: Vec<f64>,
-    /// Right-hand side of the min map, and rows of its linearisation.
-    pub(super) min: Vec<f64>,
-    pub(super) min_a: Vec<f64>,
-    pub(super) min_b: Vec<f64>,
     /// `ζ` and `Jζ` at kinks; before that, how large the terms of `F` are.
     zeta: Vec<f64>,
     slope: Vec<f64>,
@@ -128,21 +131,17 @@ impl Workspace {
         let system = NewtonSystem::new(pattern, options, custom)?;
         let (n, nnz) = (pattern.n(), pattern.nnz());
         let mut workspace = Workspace {
-            rows: Vec::with_capacity(n),
+            kinds: Vec::with_capacity(n),
             current: Point::default(),
             trial: Point::default(),
             full: Point::default(),
             answer: vec![0.0; n],
             fault_point: vec![0.0; n],
             jac: vec![0.0; nnz],
-            jac_trial: vec![0.0; nnz],
-            da: vec![0.0; n],
-            db: vec![0.0; n],
+            a: vec![0.0; n],
+            b: vec![0.0; n],
             gradient: vec![0.0; n],
             direction: vec![0.0; n],
-            min: vec![0.0; n],
-            min_a: vec![0.0; n],
-            min_b: vec![0.0; n],
             zeta: vec![0.0; n],
             slope: vec![0.0; n],
             system,
@@ -171,16 +170,18 @@ impl Workspace {
 
     /// Bounds of a new solve.
     pub(super) fn set_bounds(&mut self, shape: &Shape) {
-        self.rows.clear();
-        self.rows.extend((0..shape.n()).map(|i| Reformulation::new(shape.bounds(), i)));
+        self.kinds.clear();
+        self.kinds.extend((0..shape.n()).map(|i| shape.bounds().kind(i)));
     }
 
-    /// `Da`, `Db` and `∇θ` at the iterate, from its `J`.
-    pub(super) fn linearise(&mut self, pattern: &Pattern) {
+    /// `a`, `b` and `∇θ` of the Fischer–Burmeister equations at the iterate, from its `J`.
+    pub(super) fn linearise(&mut self, problem: &dyn Problem) {
+        let (bounds, pattern) = (problem.shape().bounds(), problem.pattern());
         let Point { z, f, phi, .. } = &self.current;
         let (mut has_kinks, mut has_sizes) = (false, false);
-        for (i, row) in self.rows.iter().enumerate() {
-            (self.da[i], self.db[i]) = row.derivative(z[i], f[i]);
+        for (i, &kind) in self.kinds.iter().enumerate() {
+            let row = Reformulation::of_kind(kind, bounds, i);
+            (self.a[i], self.b[i]) = row.derivative(z[i], f[i]);
             let kink = row.kink(z[i], f[i], || {
                 if !has_sizes {
                     self.slope.fill(0.0);
@@ -189,56 +190,63 @@ impl Workspace {
                 }
                 self.slope[i]
             });
-            self.zeta[i] = kink.unwrap_or(0.0);
-            has_kinks |= kink.is_some();
+            if let Some(direction) = kink {
+                if !has_kinks {
+                    self.zeta.fill(0.0);
+                    has_kinks = true;
+                }
+                self.zeta[i] = direction;
+            }
         }
         if has_kinks {
             // (Jζ)_i decides which element of the generalised derivative is taken.
             self.slope.fill(0.0);
             for j in (0..z.len()).filter(|&j| self.zeta[j] != 0.0) {
                 for k in pattern.column(j) {
-                    self.slope[pattern.rows()[k]] += self.jac[k] * self.zeta[j];
+                    self.slope[pattern.row(k)] += self.jac[k] * self.zeta[j];
                 }
             }
-            for (i, row) in self.rows.iter().enumerate().filter(|&(i, _)| self.zeta[i] != 0.0) {
-                (self.da[i], self.db[i]) = row.kink_derivative(self.zeta[i], self.slope[i]);
+            for i in (0..z.len()).filter(|&i| self.zeta[i] != 0.0) {
+                let row = Reformulation::of_kind(self.kinds[i], bounds, i);
+                (self.a[i], self.b[i]) = row.kink_derivative(self.zeta[i], self.slope[i]);
             }
         }
         for j in 0..z.len() {
-            let mut sum = self.da[j] * phi[j];
+            let mut sum = self.a[j] * phi[j];
             for k in pattern.column(j) {
-                let i = pattern.rows()[k];
-                if self.db[i] != 0.0 {
-                    sum += self.db[i] * self.jac[k] * phi[i];
+                let i = pattern.row(k);
+                if self.b[i] != 0.0 {
+                    sum += self.b[i] * self.jac[k] * phi[i];
                 }
             }
             self.gradient[j] = sum;
         }
     }
 
-    /// Right-hand side and rows of the linearised min map.
+    /// The min map at the iterate in `answer`, and `a` and `b` of its linearisation in the place of those of the
+    /// Fischer–Burmeister equations.
     pub(super) fn linearise_min(&mut self, shape: &Shape) {
         let (lower, upper) = (shape.bounds().lower(), shape.bounds().upper());
         let Point { z, f, .. } = &self.current;
         for i in 0..z.len() {
             let (value, branch) = mid(z[i], f[i], lower[i], upper[i]);
             let identity = branch != Branch::Equation;
-            self.min[i] = value;
-            self.min_a[i] = f64::from(u8::from(identity));
-            self.min_b[i] = f64::from(u8::from(!identity));
+            self.answer[i] = value;
+            self.a[i] = f64::from(u8::from(identity));
+            self.b[i] = f64::from(u8::from(!identity));
         }
     }
 
     /// `‖∇θ‖∞` relative to the terms it is summed from: 0 at a stationary point, whatever the
-    /// scaling of the merit.
+    /// scaling of the merit. With `a` and `b` as [`linearise`](Self::linearise) leaves them.
     pub(super) fn relative_gradient(&self, pattern: &Pattern) -> f64 {
         let phi = &self.current.phi;
         let (mut largest, mut terms) = (0.0_f64, 0.0_f64);
         for j in 0..phi.len() {
-            let mut sum = (self.da[j] * phi[j]).abs();
+            let mut sum = (self.a[j] * phi[j]).abs();
             for k in pattern.column(j) {
-                let i = pattern.rows()[k];
-                sum += (self.db[i] * self.jac[k] * phi[i]).abs();
+                let i = pattern.row(k);
+                sum += (self.b[i] * self.jac[k] * phi[i]).abs();
             }
             largest = largest.max(self.gradient[j].abs());
             terms = terms.max(sum);

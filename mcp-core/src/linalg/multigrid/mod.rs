@@ -211,7 +211,7 @@ impl LinearSolver for MultigridCg {
         for j in 0..pattern.n() {
             let place = (j / columns + 1) * fine.m + j % columns + 1;
             for k in pattern.column(j) {
-                let i = pattern.rows()[k];
+                let i = pattern.row(k);
                 // The lower triangle: i at or after j.
                 if i == j {
                     fine.diagonal[place] = values[k];

@@ -59,7 +59,7 @@ impl Basis {
     pub(in crate::solver) fn new(source: &Pattern, options: &Options) -> Option<Self> {
         let n = source.n();
         let with_diagonal = source.with_diagonal();
-        let pattern = &with_diagonal.pattern;
+        let pattern = with_diagonal.pattern();
         let mut linear = options.linear.for_order(pattern).solver_for(pattern).ok()?;
         linear.analyse(pattern).ok()?;
         let nnz = pattern.nnz();
@@ -91,11 +91,11 @@ impl Basis {
     /// `M = J + ε I`.
     pub(in crate::solver) fn set_matrix(&mut self, jac: &[f64], epsilon: f64) {
         self.m.fill(0.0);
-        for (&to, &value) in self.with_diagonal.entries.iter().zip(jac) {
-            self.m[to] = value;
+        for (k, &value) in jac.iter().enumerate() {
+            self.m[self.with_diagonal.entry(k)] = value;
         }
-        for &k in &self.with_diagonal.diagonal {
-            self.m[k] += epsilon;
+        for j in 0..self.basic.len() {
+            self.m[self.with_diagonal.diagonal(j)] += epsilon;
         }
     }
 
@@ -131,12 +131,12 @@ impl Basis {
 
     /// Column `j` of the basis: `M_·j`, or else `−e_j`.
     fn set_column(&mut self, j: usize, is_level: bool) {
-        let column = self.with_diagonal.pattern.column(j);
+        let column = self.with_diagonal.pattern().column(j);
         if is_level {
             self.values[column.clone()].copy_from_slice(&self.m[column]);
         } else {
             self.values[column].fill(0.0);
-            self.values[self.with_diagonal.diagonal[j]] = -1.0;
+            self.values[self.with_diagonal.diagonal(j)] = -1.0;
         }
     }
 
@@ -191,9 +191,9 @@ impl Basis {
         self.column.fill(0.0);
         match variable {
             Variable::Level(j) => {
-                let pattern = &self.with_diagonal.pattern;
+                let pattern = self.with_diagonal.pattern();
                 for k in pattern.column(j) {
-                    self.column[pattern.rows()[k]] = self.m[k];
+                    self.column[pattern.row(k)] = self.m[k];
                 }
             }
             Variable::Slack(i) => self.column[i] = -1.0,
@@ -203,9 +203,9 @@ impl Basis {
 
     /// `column += factor · M_·j`.
     pub(super) fn add_level(&mut self, j: usize, factor: f64) {
-        let pattern = &self.with_diagonal.pattern;
+        let pattern = self.with_diagonal.pattern();
         for k in pattern.column(j) {
-            self.column[pattern.rows()[k]] += factor * self.m[k];
+            self.column[pattern.row(k)] += factor * self.m[k];
         }
     }
 }

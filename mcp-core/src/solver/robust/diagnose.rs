@@ -74,7 +74,7 @@ impl Search<'_, '_> {
         for j in 0..memory.gradient.len() {
             let mut sum = (memory.a[j] * memory.here.phi[j]).abs();
             for k in pattern.column(j) {
-                let i = pattern.rows()[k];
+                let i = pattern.row(k);
                 sum += (memory.b[i] * memory.jac[k] * memory.here.phi[i]).abs();
             }
             let (y, g) = (memory.here.z[j], memory.gradient[j]);

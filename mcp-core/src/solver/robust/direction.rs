@@ -14,11 +14,12 @@ impl Search<'_, '_> {
         run.stats.factorisations += 1;
         let system = &mut run.work.system;
         let matrix = (&memory.a[..], &memory.b[..]);
-        let ratio = system.factor(&memory.jac, matrix);
+        let spare = run.work.certifier.spare();
+        let ratio = system.factor(&memory.jac, spare, matrix);
         if !ratio.is_some_and(|ratio| ratio > SINGULAR) {
             return false;
         }
-        system.back_solve(&memory.jac, matrix, &memory.rhs, &mut memory.direction);
+        system.back_solve(&memory.jac, spare, matrix, &memory.rhs, &mut memory.direction);
         memory.direction.iter().all(|d| d.is_finite())
     }
 }
@@ -31,7 +32,7 @@ impl Memory {
             let d = self.zeta[j];
             self.slope[j] += self.a[j] * d;
             for k in pattern.column(j) {
-                let i = pattern.rows()[k];
+                let i = pattern.row(k);
                 self.slope[i] += self.b[i] * self.jac[k] * d;
             }
         }

@@ -6,13 +6,14 @@
 //! ```
 //!
 //! The augmented system has the accuracy of a QR factorisation where the normal equations square
-//! the condition, and it is as sparse as `H`: the same linear solvers take it, at twice the order.
+//! the condition, and it is as sparse as `H`. It is symmetric and quasi-definite, so that
+//! [`NewtonSystem`] solves it by `L D Lᵀ`, looks at the backward error, and has LU behind it.
 //! For `μ = O(‖Φ‖)` the steps keep Newton's rate under an error bound ([KP04](crate#references)).
 
 use super::Search;
 use crate::generic::generic;
-use crate::linalg::LinearSolver;
-use crate::problem::{Pattern, WithDiagonal};
+use crate::problem::Pattern;
+use crate::solver::newton_system::NewtonSystem;
 use crate::solver::options::Options;
 use crate::solver::robust::memory::Memory;
 
@@ -28,15 +29,21 @@ pub(super) struct Damped {
     lower_diagonal: Vec<usize>,
     diagonal: Vec<usize>,
     values: Vec<f64>,
+    spare: Vec<f64>,
+    /// Rows `0 d_i + 1 (K d)_i` of the augmented matrix `K`.
+    zeros: Vec<f64>,
+    ones: Vec<f64>,
     rhs: Vec<f64>,
-    linear: Box<dyn LinearSolver>,
+    solution: Vec<f64>,
+    system: NewtonSystem,
 }
 
 impl Damped {
     /// Of the pattern of `J`; `None` if no linear solver takes it.
     fn new(source: &Pattern, options: &Options) -> Option<Self> {
         let n = source.n();
-        let WithDiagonal { pattern: h, entries, diagonal } = source.with_diagonal();
+        let with_diagonal = source.with_diagonal();
+        let h = with_diagonal.pattern();
         let mut columns = vec![Vec::new(); 2 * n];
         for (_, i, j) in h.entries() {
             columns[n + j].push(i);
@@ -51,27 +58,32 @@ impl Damped {
         for (k, i, j) in h.entries() {
             (upper[k], lower[k]) = (find(i, n + j), find(n + j, i));
         }
-        let pick = |from: &[usize], which: &[usize]| which.iter().map(|&k| from[k]).collect();
-        let mut linear = options.linear.for_order(&pattern).solver_for(&pattern).ok()?;
-        linear.analyse(&pattern).ok()?;
+        let entries =
+            |from: &[usize]| (0..source.nnz()).map(|k| from[with_diagonal.entry(k)]).collect();
+        let diagonal = |from: &[usize]| (0..n).map(|j| from[with_diagonal.diagonal(j)]).collect();
+        let options = options.clone().with(|o| o.linear = o.linear.for_order(&pattern));
         Some(Damped {
             n,
-            upper_diagonal: pick(&upper, &diagonal),
-            lower_diagonal: pick(&lower, &diagonal),
-            upper: pick(&upper, &entries),
-            lower: pick(&lower, &entries),
+            upper_diagonal: diagonal(&upper),
+            lower_diagonal: diagonal(&lower),
+            upper: entries(&upper),
+            lower: entries(&lower),
             diagonal: (0..2 * n).map(|k| find(k, k)).collect(),
             values: vec![0.0; pattern.nnz()],
+            spare: vec![0.0; pattern.nnz()],
+            zeros: vec![0.0; 2 * n],
+            ones: vec![1.0; 2 * n],
             rhs: vec![0.0; 2 * n],
+            solution: vec![0.0; 2 * n],
             source: source.clone(),
-            linear,
+            system: NewtonSystem::new(&pattern, &options, &mut None).ok()?,
         })
     }
 
     /// Factors for `H = diag(a) + diag(b) J` and `μ`; false if that fails.
     fn factor(&mut self, jac: &[f64], a: &[f64], b: &[f64], mu: f64) -> bool {
         self.values.fill(0.0);
-        for (k, &i) in self.source.rows().iter().enumerate() {
+        for (k, i) in self.source.rows().enumerate() {
             let h = b[i] * jac[k];
             self.values[self.upper[k]] = h;
             self.values[self.lower[k]] = h;
@@ -82,21 +94,20 @@ impl Damped {
             self.values[self.diagonal[j]] = mu.sqrt();
             self.values[self.diagonal[self.n + j]] = -mu.sqrt();
         }
-        self.linear.factor(&self.values).is_ok()
+        self.system.factor(&self.values, &mut self.spare, (&self.zeros, &self.ones)).is_some()
     }
 
-    /// `d` for the right-hand side `(−first, second)`; false if it is not finite.
+    /// `d` for the right-hand side `−(first, second)`; false if it is not finite.
     fn solve(&mut self, first: &[f64], second: Option<&[f64]>, d: &mut [f64]) -> bool {
         let (top, bottom) = self.rhs.split_at_mut(self.n);
-        for (to, from) in top.iter_mut().zip(first) {
-            *to = -from;
-        }
+        top.copy_from_slice(first);
         match second {
             Some(second) => bottom.copy_from_slice(second),
             None => bottom.fill(0.0),
         }
-        self.linear.solve(&mut self.rhs);
-        d.copy_from_slice(&self.rhs[self.n..]);
+        let Damped { system, values, spare, zeros, ones, rhs, solution, .. } = self;
+        system.back_solve(values, spare, (zeros, ones), rhs, solution);
+        d.copy_from_slice(&solution[self.n..]);
         d.iter().all(|d| d.is_finite())
     }
 }
@@ -111,7 +122,7 @@ impl Memory {
         for j in 0..pattern.n() {
             let mut sum = self.a[j].abs();
             for k in pattern.column(j) {
-                let i = pattern.rows()[k];
+                let i = pattern.row(k);
                 let size = (self.b[i] * self.jac[k]).abs();
                 sum += size;
                 self.slope[i] += size;

@@ -7,7 +7,7 @@ use crate::globalise::{Nonmonotone, Reference};
 use crate::problem::Pattern;
 use crate::solver::pivot::Basis;
 use crate::solver::stage::{StageEnd, StageRecord};
-use crate::solver::workspace::Point;
+use crate::solver::workspace::{Point, resize};
 
 /// Stages that are recorded without allocating: more than the cascade has.
 const RECORDS: usize = 64;
@@ -27,7 +27,6 @@ pub(in crate::solver) struct Memory {
     pub(super) other: Point,
     /// `J` at the iterate, or at the one before it.
     pub(super) jac: Vec<f64>,
-    pub(super) jac_trial: Vec<f64>,
     /// `H = diag(a) + diag(b) J` and `∇θ = HᵀΦ`.
     pub(super) a: Vec<f64>,
     pub(super) b: Vec<f64>,
@@ -100,10 +99,9 @@ impl Memory {
             &mut self.unit,
             &mut self.runaway,
         ] {
-            list.resize(n, 0.0);
+            resize(list, n);
         }
-        self.jac.resize(nnz, 0.0);
-        self.jac_trial.resize(nnz, 0.0);
+        resize(&mut self.jac, nnz);
         if !self.reference.remembers(Nonmonotone::Max, memory) {
             self.reference = Reference::new(Nonmonotone::Max, memory);
         }
@@ -121,8 +119,8 @@ impl Memory {
     pub(super) fn linearise(&mut self, pattern: &Pattern) {
         let Point { z, f, phi, .. } = &self.here;
         let mut has_kinks = false;
-        for (i, row) in self.view.rows.iter().enumerate() {
-            (self.a[i], self.b[i]) = self.map.derivative(row, z[i], f[i]);
+        for (i, row) in self.view.rows().enumerate() {
+            (self.a[i], self.b[i]) = self.map.derivative(&row, z[i], f[i]);
             self.zeta[i] = 0.0;
             if !matches!(self.map, Map::Smoothed { .. })
                 && let Some(direction) = row.kink(z[i], f[i], || 0.0)
@@ -134,11 +132,11 @@ impl Memory {
             self.slope.fill(0.0);
             for j in (0..z.len()).filter(|&j| self.zeta[j] != 0.0) {
                 for k in pattern.column(j) {
-                    self.slope[pattern.rows()[k]] += self.jac[k] * self.zeta[j];
+                    self.slope[pattern.row(k)] += self.jac[k] * self.zeta[j];
                 }
             }
             let mu = self.proximal.unwrap_or(0.0);
-            for (i, row) in self.view.rows.iter().enumerate() {
+            for (i, row) in self.view.rows().enumerate() {
                 if self.zeta[i] != 0.0 {
                     let slope = self.slope[i] + mu * self.zeta[i];
                     (self.a[i], self.b[i]) = row.kink_derivative(self.zeta[i], slope);
@@ -154,7 +152,7 @@ impl Memory {
         for j in 0..z.len() {
             let mut sum = self.a[j] * phi[j];
             for k in pattern.column(j) {
-                let i = pattern.rows()[k];
+                let i = pattern.row(k);
                 sum += self.b[i] * self.jac[k] * phi[i];
             }
             self.gradient[j] = sum;

@@ -304,13 +304,14 @@ impl Search<'_, '_> {
     fn jacobian(&mut self) -> bool {
         let Search { run, memory } = self;
         run.stats.jacobian_evaluations += 1;
-        memory.view.jacobian(run.problem, &memory.here.z, &mut memory.jac_trial);
-        if let Some(fault) = Fault::of_jacobian(run.problem.pattern(), &memory.jac_trial) {
+        let jac = run.work.certifier.spare();
+        memory.view.jacobian(run.problem, &memory.here.z, jac);
+        if let Some(fault) = Fault::of_jacobian(run.problem.pattern(), jac) {
             run.fault = Some(fault);
             run.work.fault_point.copy_from_slice(memory.view.argument());
             return false;
         }
-        std::mem::swap(&mut memory.jac, &mut memory.jac_trial);
+        std::mem::swap(&mut memory.jac, jac);
         true
     }
 

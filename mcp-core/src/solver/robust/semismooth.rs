@@ -243,7 +243,7 @@ impl Memory {
     /// The mean binary exponent of the largest entries of the rows of `J`.
     pub(super) fn level(&mut self, pattern: &Pattern) -> i64 {
         self.slope.fill(0.0);
-        for (&i, value) in pattern.rows().iter().zip(&self.jac) {
+        for (i, value) in pattern.rows().zip(&self.jac) {
             self.slope[i] = self.slope[i].max(value.abs());
         }
         let (mut sum, mut count) = (0_i64, 0_i64);

@@ -3,7 +3,7 @@
 use super::equilibrate::{Equilibration, power_of_two};
 use super::map::Map;
 use super::measured::Sample;
-use crate::model::{Bounds, Shape};
+use crate::model::{BoundKind, Bounds, Shape};
 use crate::ncp::{Branch, Reformulation, mid};
 use crate::problem::{Pattern, Problem};
 use crate::solver::workspace::Point;
@@ -17,7 +17,7 @@ pub(in crate::solver) struct View {
     column: Vec<f64>,
     pub(in crate::solver) lower: Vec<f64>,
     pub(in crate::solver) upper: Vec<f64>,
-    pub(in crate::solver) rows: Vec<Reformulation>,
+    kinds: Vec<BoundKind>,
     /// `C y`, the argument of `F`.
     z: Vec<f64>,
 }
@@ -29,8 +29,15 @@ impl View {
         {
             list.resize(n, 1.0);
         }
-        self.rows.clear();
-        self.rows.reserve(n);
+        self.kinds.clear();
+        self.kinds.reserve(n);
+    }
+
+    /// The equations of all variables.
+    pub(in crate::solver) fn rows(&self) -> impl Iterator<Item = Reformulation> + '_ {
+        let sides = self.lower.iter().zip(&self.upper);
+        let row = |(&kind, (&lower, &upper))| Reformulation { kind, lower, upper };
+        self.kinds.iter().zip(sides).map(row)
     }
 
     /// The problem as it is.
@@ -51,14 +58,14 @@ impl View {
     }
 
     fn apply(&mut self, bounds: &Bounds) {
-        self.rows.clear();
+        self.kinds.clear();
         for j in 0..self.row.len() {
             self.row[j] = power_of_two(self.equilibration.r[j]);
             self.column[j] = power_of_two(self.equilibration.c[j]);
             let inverse = power_of_two(-self.equilibration.c[j]);
             self.lower[j] = bounds.lower()[j] * inverse;
             self.upper[j] = bounds.upper()[j] * inverse;
-            self.rows.push(Reformulation::between(self.lower[j], self.upper[j]));
+            self.kinds.push(BoundKind::of(self.lower[j], self.upper[j]));
         }
     }
 
@@ -107,7 +114,7 @@ impl View {
     pub(in crate::solver) fn scale_jacobian(&self, pattern: &Pattern, jac: &mut [f64]) {
         for j in 0..pattern.n() {
             for k in pattern.column(j) {
-                jac[k] = jac[k] * self.row[pattern.rows()[k]] * self.column[j];
+                jac[k] = jac[k] * self.row[pattern.row(k)] * self.column[j];
             }
         }
     }
@@ -116,7 +123,7 @@ impl View {
     pub(in crate::solver) fn unscale_jacobian(&self, pattern: &Pattern, jac: &mut [f64]) {
         for j in 0..pattern.n() {
             for k in pattern.column(j) {
-                jac[k] = jac[k] / self.row[pattern.rows()[k]] / self.column[j];
+                jac[k] = jac[k] / self.row[pattern.row(k)] / self.column[j];
             }
         }
     }
@@ -162,8 +169,8 @@ impl View {
     /// `Φ` and the merit `½‖Φ‖²` of a point whose `G` is known; NaN where that is not finite.
     pub(super) fn weigh(&self, map: Map, point: &mut Point) {
         let mut square = 0.0;
-        for (i, row) in self.rows.iter().enumerate() {
-            point.phi[i] = map.value(row, point.z[i], point.f[i]);
+        for (i, row) in self.rows().enumerate() {
+            point.phi[i] = map.value(&row, point.z[i], point.f[i]);
             square += point.phi[i] * point.phi[i];
         }
         point.merit = 0.5 * square;
