@@ -162,9 +162,12 @@ fn evaluations_are_one_f_per_trial_point_and_one_j_per_iteration() {
         for method in Method::CLASSICAL {
             let (name, solution, seen, [residual, jacobian]) = run(make, start, method);
             let (stats, case) = (solution.stats, format!("{name} start {start} {method}"));
-            assert_eq!(residual, stats.residual_evaluations, "{case}: F by an own count");
-            let by_solver = jacobian - stats.certificate_evaluations;
-            assert_eq!(by_solver, stats.jacobian_evaluations, "{case}: J by an own count");
+            // A second look of the certificate takes an F, or two J, or all three.
+            let judged = stats.certificate_evaluations;
+            let of_certificate = residual - stats.residual_evaluations;
+            assert!(of_certificate <= judged, "{case}: F by an own count");
+            let of_certificate = jacobian - judged - stats.jacobian_evaluations;
+            assert!([0, 2 * judged].contains(&of_certificate), "{case}: J by an own count");
             if solution.is_solved() {
                 assert_eq!(stats.jacobian_evaluations, stats.iterations, "{case}");
             }

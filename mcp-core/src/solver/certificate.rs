@@ -15,18 +15,32 @@
 //!
 //! `τ_j` says what counts as small for variable `j`, and matters only where `z_j` is near 0. It is
 //! the column scale of the equilibrated `J(z)`, in binary exponents, times one gauge for every block
-//! of variables that `J` connects: the geometric mean of `|z_j|` over the block in these scales, at
-//! least 10⁻⁴ of the same mean over the problem's start. A block that is 0 at both has the mean of
-//! `|F_i|` in the scales of the rows instead, the size of a Newton step, at least √ε times a gauge that
-//! makes no `τ_j` and no `s_i` larger than 1: there the rounding of numbers of order 1 is accepted.
-//! Cost: one pass and a few sweeps over the nonzeros.
+//! of equations and variables that `J` connects: the geometric mean of `|z_j|` over the block in these
+//! scales, at least 10⁻⁴ of the same mean over the problem's start. Where a block starts at 0, the least
+//! is 10⁻⁶ in the units of the model, so that the rounding of numbers of order 1 to 10 is accepted; where
+//! it also is 0, the mean natural residual, the size of a Newton step, stands for its size. No `τ_j` is
+//! wider than its box.
+//!
+//! Two more looks follow where a point might be accepted. `s_i` is no larger than with `J` at
+//! `z ± 10⁻⁸ τ`, where rows would be excused by `τ`: beside a wall with an infinite slope `J(z)` says
+//! nothing about the way to a root. And `F` must not be infinite where variables next to a bound are
+//! put onto it. Cost: one pass, a few sweeps over the nonzeros, rarely three passes more.
 //!
 //! What no test of this kind can tell: an equation that is satisfied because it no longer depends
-//! on anything (`0 = 0`) looks like a solution at infinity and is called asymptotic; variables that are
-//! 0 at the point and at the start have no scale but that of `F` and `J`.
+//! on anything (`0 = 0`) looks like a solution at infinity and is called asymptotic; steps below 10⁻¹⁴
+//! count as rounding in whatever units a problem with a start of 0 is.
+
+mod sizes;
 
 use crate::error::ModelError;
-use crate::problem::{Index, Pattern, Problem, small};
+use crate::model::Shape;
+use crate::problem::Problem;
+use sizes::Sizes;
+
+/// Relative residual of a point that deserves a second look.
+const PROMISING: f64 = 1e-2;
+/// Share of `τ` beside the point where slopes are measured again: the default of `tol_relative`.
+const BESIDE: f64 = 1e-8;
 
 /// What was found at a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -137,66 +151,20 @@ pub fn examine(problem: &mut dyn Problem, z: &[f64]) -> Result<Certificate, Mode
 pub(crate) struct Certifier {
     f: Vec<f64>,
     jac: Vec<f64>,
-    row_scale: Vec<i32>,
-    column_scale: Vec<i32>,
-    row_max: Vec<i32>,
-    column_max: Vec<i32>,
-    /// For every variable one further on the way to the representative of its block.
-    block: Vec<Index>,
-    /// By representative of a block: means at the point and at the start, and the gauge.
-    mean_z: Vec<Mean>,
-    mean_start: Vec<Mean>,
-    gauge: Vec<i32>,
-    weight: Vec<f64>,
-    row_size: Vec<f64>,
+    sizes: Sizes,
+    /// A point beside the one judged, and `F` there.
+    beside: Vec<f64>,
+    f_beside: Vec<f64>,
 }
-
-/// Sum and number of binary exponents of the variables of a block, in column scales.
-type Mean = [i64; 2];
-
-/// Takes in `z`, unless it is 0.
-fn add(mean: &mut Mean, z: f64, scale: i32) {
-    if z != 0.0 && z.is_finite() {
-        mean[0] += i64::from(exponent(z) - scale);
-        mean[1] += 1;
-    }
-}
-
-fn value([sum, count]: Mean) -> Option<i32> {
-    let mean = (count > 0).then(|| sum / count)?;
-    Some(i32::try_from(mean).expect("a mean of small exponents is small"))
-}
-
-/// The gauge of a block from its means at the point and at the start; none if all is 0. 2⁻¹³ is about
-/// 10⁻⁴.
-fn gauge(at_z: Mean, at_start: Mean) -> Option<i32> {
-    match (value(at_z), value(at_start)) {
-        (Some(at_z), Some(at_start)) => Some(at_z.max(at_start - 13)),
-        (gauge, None) | (None, gauge) => gauge,
-    }
-}
-
-/// Binary exponent of √ε.
-const ROUNDING: i32 = -26;
-
-/// Exponent for "no nonzero seen yet".
-const NONE: i32 = i32::MIN / 4;
 
 impl Certifier {
     pub(crate) fn resize(&mut self, n: usize, nnz: usize) {
         // Fresh zeros cost no memory before they are written.
         self.jac = vec![0.0; nnz];
-        for list in [&mut self.f, &mut self.weight, &mut self.row_size] {
+        for list in [&mut self.f, &mut self.beside, &mut self.f_beside] {
             *list = vec![0.0; n];
         }
-        for scale in
-            [&mut self.row_scale, &mut self.column_scale, &mut self.row_max, &mut self.column_max]
-        {
-            *scale = vec![0; n];
-        }
-        self.gauge = vec![0; n];
-        self.block = vec![0; n];
-        (self.mean_z, self.mean_start) = (vec![[0; 2]; n], vec![[0; 2]; n]);
+        self.sizes.resize(n);
     }
 
     /// `F` at the point judged last.
@@ -211,12 +179,12 @@ impl Certifier {
 
     /// `w_j`, what counts as the size of each variable at the point judged last.
     pub(crate) fn weight(&self) -> &[f64] {
-        &self.weight
+        &self.sizes.weight
     }
 
     /// `s_i`, the size of the terms of each equation at the point judged last.
     pub(crate) fn row_size(&self) -> &[f64] {
-        &self.row_size
+        &self.sizes.of_row
     }
 
     /// `J` at the point judged last.
@@ -231,16 +199,24 @@ impl Certifier {
 
     pub(crate) fn judge(&mut self, problem: &mut dyn Problem, z: &[f64]) -> Certificate {
         problem.evaluate(z, Some(&mut self.f), Some(&mut self.jac));
-        let (shape, pattern) = (problem.shape(), problem.pattern());
-        let (lower, upper) = (shape.bounds().lower(), shape.bounds().upper());
         let is_finite = all_finite(&self.f) && all_finite(&self.jac) && all_finite(z);
         if is_finite {
-            self.equilibrate(pattern);
-            self.connect(pattern);
-            self.weigh(z, shape.start());
-            self.size_rows(pattern);
+            self.sizes.measure(problem.shape(), problem.pattern(), (z, &self.f, &self.jac));
         }
+        let mut certificate = self.compare(problem.shape(), z, is_finite);
+        if certificate.relative_residual <= PROMISING {
+            if self.leans_on_tau(problem, z) {
+                self.look_beside(problem, z);
+                certificate = self.compare(problem.shape(), z, is_finite);
+            }
+            certificate.is_finite = !self.is_infinite_on_bounds(problem, z);
+        }
+        certificate
+    }
 
+    /// The residuals, from `F` and the sizes.
+    fn compare(&self, shape: &Shape, z: &[f64], is_finite: bool) -> Certificate {
+        let (lower, upper) = (shape.bounds().lower(), shape.bounds().upper());
         let relative_residual = if is_finite { 0.0 } else { f64::NAN };
         let mut certificate = Certificate {
             natural_residual: 0.0,
@@ -266,7 +242,7 @@ impl Certifier {
             if !is_finite {
                 continue;
             }
-            let (w, s) = (self.weight[i], self.row_size[i]);
+            let (w, s) = (self.sizes.weight[i], self.sizes.of_row[i]);
             // A size that has overflowed must not make the residual 0.
             let f_relative = if f == 0.0 { 0.0 } else { f / s.min(f64::MAX) };
             let relative = middle(above / w, f_relative, below / w).abs();
@@ -282,141 +258,57 @@ impl Certifier {
         certificate
     }
 
-    /// Binary exponents of row and column scales that bring the largest entry of every row and
-    /// column of `J` near 1 ([Rui01](crate#references), in integers; at most ten sweeps).
-    fn equilibrate(&mut self, pattern: &Pattern) {
-        self.column_scale.fill(0);
-        // Rows first: in whatever units an equation is, the columns see the same matrix.
-        self.row_max.fill(NONE);
-        for (i, &entry) in pattern.rows().zip(&self.jac) {
-            if entry != 0.0 {
-                self.row_max[i] = self.row_max[i].max(exponent(entry));
+    /// Whether an equation that must hold does so only by what `τ` adds to its size.
+    fn leans_on_tau(&mut self, problem: &dyn Problem, z: &[f64]) -> bool {
+        let (own, bounds) = (&mut self.beside, problem.shape().bounds());
+        own.fill(0.0);
+        problem.pattern().add_sizes(&self.jac, |j| z[j].abs(), own);
+        (0..z.len()).any(|i| {
+            let (f, l, u) = (self.f[i], bounds.lower()[i], bounds.upper()[i]);
+            let must_hold = z[i] - l > f && z[i] - u < f;
+            must_hold && f.abs() > BESIDE * own[i]
+        })
+    }
+
+    /// Rows are no larger than with the slopes at `z ± 10⁻⁸ τ`; a slope that is not finite there on
+    /// either side counts as none.
+    fn look_beside(&mut self, problem: &mut dyn Problem, z: &[f64]) {
+        for sign in [1.0, -1.0] {
+            let bounds = problem.shape().bounds();
+            for j in 0..z.len() {
+                let step = BESIDE * (self.sizes.weight[j] - z[j].abs());
+                let [first, second] = [z[j] + sign * step, z[j] - sign * step];
+                let fits = |x: f64| bounds.lower()[j] <= x && x <= bounds.upper()[j];
+                self.beside[j] = if fits(first) || !fits(second) { first } else { second };
             }
-        }
-        for (scale, &max) in self.row_scale.iter_mut().zip(&self.row_max) {
-            *scale = if max == NONE { 0 } else { -max };
-        }
-        for _ in 0..10 {
-            self.row_max.fill(NONE);
-            self.column_max.fill(NONE);
-            for j in 0..pattern.n() {
-                for k in pattern.column(j) {
-                    let i = pattern.row(k);
-                    if self.jac[k] != 0.0 {
-                        let e = exponent(self.jac[k]) + self.row_scale[i] + self.column_scale[j];
-                        self.row_max[i] = self.row_max[i].max(e);
-                        self.column_max[j] = self.column_max[j].max(e);
-                    }
-                }
-            }
-            let mut balanced = true;
-            let rows = self.row_scale.iter_mut().zip(&self.row_max);
-            let columns = self.column_scale.iter_mut().zip(&self.column_max);
-            for (scale, &max) in rows.chain(columns) {
-                if max != NONE {
-                    *scale -= max / 2;
-                    balanced &= max.abs() <= 1;
-                }
-            }
-            if balanced {
+            bounds.project(&mut self.beside);
+            problem.evaluate(&self.beside, None, Some(&mut self.jac));
+            if all_finite(&self.jac) {
                 break;
             }
         }
+        self.sizes.lessen(problem.pattern(), &self.jac, &mut self.f_beside);
+        problem.evaluate(z, None, Some(&mut self.jac));
     }
 
-    /// Blocks of variables that nonzeros of `J` connect, equation `i` going with variable `i`.
-    fn connect(&mut self, pattern: &Pattern) {
-        for (block, j) in self.block.iter_mut().zip(0..) {
-            *block = j;
+    /// Whether `F` is infinite where variables that belong onto a bound are put there. Where it is NaN,
+    /// as `z ln z` at 0, it may have a limit.
+    fn is_infinite_on_bounds(&mut self, problem: &mut dyn Problem, z: &[f64]) -> bool {
+        let bounds = problem.shape().bounds();
+        let mut is_moved = false;
+        for i in 0..z.len() {
+            let (l, u, f) = (bounds.lower()[i], bounds.upper()[i], self.f[i]);
+            self.beside[i] = match () {
+                () if z[i] - l <= f => l,
+                () if z[i] - u >= f => u,
+                () => z[i],
+            };
+            is_moved |= self.beside[i] != z[i];
         }
-        let mut blocks = pattern.n();
-        for j in 0..pattern.n() {
-            for k in pattern.column(j) {
-                if blocks <= 1 {
-                    return;
-                }
-                if self.jac[k] != 0.0 {
-                    let (a, b) = (self.representative(pattern.row(k)), self.representative(j));
-                    self.block[a.max(b)] = small(a.min(b));
-                    blocks -= usize::from(a != b);
-                }
-            }
+        if is_moved {
+            problem.evaluate(&self.beside, Some(&mut self.f_beside), None);
         }
-    }
-
-    /// The smallest variable known to be in the block, with the way there halved.
-    fn representative(&mut self, mut j: usize) -> usize {
-        while self.block[j] as usize != j {
-            self.block[j] = self.block[self.block[j] as usize];
-            j = self.block[j] as usize;
-        }
-        j
-    }
-
-    /// `w_j = |z_j| + τ_j`.
-    fn weigh(&mut self, z: &[f64], start: &[f64]) {
-        self.measure(z, start);
-        for j in 0..z.len() {
-            let block = self.representative(j);
-            let exponent = (self.gauge[block] + self.column_scale[j]).clamp(-1000, 1000);
-            self.weight[j] = z[j].abs() + 2_f64.powi(exponent);
-        }
-    }
-
-    /// The gauges of all blocks.
-    fn measure(&mut self, z: &[f64], start: &[f64]) {
-        for j in (0..z.len()).filter(|&j| self.block[j] as usize == j) {
-            (self.mean_z[j], self.mean_start[j]) = ([0; 2], [0; 2]);
-        }
-        for j in 0..z.len() {
-            let block = self.representative(j);
-            add(&mut self.mean_z[block], z[j], self.column_scale[j]);
-            add(&mut self.mean_start[block], start[j], self.column_scale[j]);
-        }
-        let mut all_known = true;
-        for j in (0..z.len()).filter(|&j| self.block[j] as usize == j) {
-            let gauge = gauge(self.mean_z[j], self.mean_start[j]);
-            self.gauge[j] = gauge.unwrap_or(NONE);
-            all_known &= gauge.is_some();
-        }
-        if !all_known {
-            self.measure_by_f();
-        }
-    }
-
-    /// The gauges of the blocks that have none yet, from `F`.
-    fn measure_by_f(&mut self) {
-        // Means of `F` in place of those of `z`, which are empty, and the unit gauge in place of the
-        // means of the start. The representative comes first.
-        for i in 0..self.f.len() {
-            let block = self.representative(i);
-            if self.gauge[block] == NONE {
-                add(&mut self.mean_z[block], self.f[i], -self.row_scale[i]);
-                let unit = i64::from(self.row_scale[i].min(-self.column_scale[i]));
-                let smallest = if i == block { unit } else { self.mean_start[block][0].min(unit) };
-                self.mean_start[block] = [smallest, 1];
-            }
-        }
-        for j in (0..self.f.len()).filter(|&j| self.block[j] as usize == j) {
-            if self.gauge[j] == NONE {
-                let unit = value(self.mean_start[j]).unwrap_or(0);
-                let newton = value(self.mean_z[j]).unwrap_or(unit);
-                self.gauge[j] = newton.max(unit + ROUNDING);
-            }
-        }
-    }
-
-    /// `s_i = Σ_j |J_ij| w_j`. Subnormal derivatives count as zero: no solver can divide by them.
-    fn size_rows(&mut self, pattern: &Pattern) {
-        self.row_size.fill(0.0);
-        for j in 0..pattern.n() {
-            for k in pattern.column(j) {
-                let size = self.jac[k].abs();
-                if size >= f64::MIN_POSITIVE {
-                    self.row_size[pattern.row(k)] += size * self.weight[j];
-                }
-            }
-        }
+        is_moved && self.f_beside.iter().any(|f| f.is_infinite())
     }
 }
 
@@ -427,16 +319,6 @@ pub(super) fn middle(above: f64, f: f64, below: f64) -> f64 {
 
 fn all_finite(values: &[f64]) -> bool {
     values.iter().all(|v| v.is_finite())
-}
-
-/// `⌊log₂ |x|⌋` for a nonzero number.
-fn exponent(x: f64) -> i32 {
-    let biased = (x.to_bits() >> 52 & 0x7ff) as i32;
-    if biased > 0 {
-        biased - 1023
-    } else {
-        -1023 - (x.to_bits() << 12).leading_zeros().cast_signed()
-    }
 }
 
 #[cfg(test)]

@@ -1,5 +1,6 @@
 use super::*;
 use crate::model::Shape;
+use crate::problem::Pattern;
 use proptest::prelude::*;
 use std::sync::Arc;
 
@@ -237,16 +238,16 @@ fn the_worst_rows_are_named() {
 
 #[test]
 fn the_start_keeps_the_gauge_from_collapsing() {
-    // z − 1e-9 at 0: wrong if z is of the size of the start 1e-9, right if it starts at 1; of a start
-    // of 0 nothing is known but the step of Newton's method.
-    let at = |start: f64| {
-        examine(&mut scalar(FREE, start, -1e-9, 1.0), &[0.0]).unwrap().relative_residual
+    // z − 1e-9: wrong at 0 if z starts at 1e-9; a solution that is small against its start is judged at
+    // 1e-4 of it, one that starts at 0 at 1e-6 in the units of the model.
+    let e = |start: f64, z: f64| {
+        examine(&mut scalar(FREE, start, -1e-9, 1.0), &[z]).unwrap().relative_residual
     };
-    assert!(at(1e-9) > 0.1 && at(1.0) < 1e-8 && at(0.0) > 0.01, "{} {}", at(1e-9), at(1.0));
-    // A solution that is small against its start is judged at 1e-4 of it.
-    let near =
-        |z: f64| examine(&mut scalar(FREE, 1.0, -1e-9, 1.0), &[z]).unwrap().relative_residual;
-    assert!((1e-6..1e-4).contains(&near(1e-12)), "{}", near(1e-12));
+    assert!(e(1e-9, 0.0) > 0.1, "{}", e(1e-9, 0.0));
+    for z in [0.0, 1e-12] {
+        assert!((1e-6..1e-4).contains(&e(1.0, z)), "{z}: {}", e(1.0, z));
+        assert!((1e-4..1e-2).contains(&e(0.0, z)), "{z}: {}", e(0.0, z));
+    }
 }
 
 #[test]
@@ -255,46 +256,6 @@ fn a_size_that_overflows_accepts_nothing() {
     let certificate = examine(&mut scalar(FREE, 1e10, -1.000_01e308, 1e298), &[1e10]).unwrap();
     assert!(certificate.relative_residual > 1e-6, "{certificate:?}");
     assert_eq!(certificate.verdict(None, 1e-8), Verdict::Refused);
-}
-
-#[test]
-fn exponents_of_all_numbers() {
-    assert_eq!([1.0, 1.5, 2.0, -0.75, 1e-3].map(exponent), [0, 0, 1, -1, -10]);
-    assert_eq!(exponent(f64::MAX), 1023);
-    assert_eq!(exponent(f64::MIN_POSITIVE), -1022);
-    assert_eq!(exponent(f64::MIN_POSITIVE / 2.0), -1023);
-    assert_eq!(exponent(5e-324), -1074);
-    assert_eq!(exponent(-1.5e-323), -1073);
-}
-
-#[test]
-fn equilibration_brings_rows_and_columns_near_one() {
-    let jac = [1e-8, 3e4, 0.0, 2e-3, 5e9, 1.0, 0.0, 7e2, 4e-6];
-    let mut certifier = Certifier::default();
-    certifier.resize(3, 9);
-    certifier.jac.copy_from_slice(&jac);
-    let pattern = Pattern::dense(3);
-    certifier.equilibrate(&pattern);
-    let (mut rows, mut columns) = ([0.0_f64; 3], [0.0_f64; 3]);
-    for (k, i, j) in pattern.entries() {
-        let scale = certifier.row_scale[i] + certifier.column_scale[j];
-        let scaled = (jac[k] * 2_f64.powi(scale)).abs();
-        rows[i] = rows[i].max(scaled);
-        columns[j] = columns[j].max(scaled);
-    }
-    for largest in rows.into_iter().chain(columns) {
-        assert!((0.25..=4.0).contains(&largest), "{rows:?} {columns:?}");
-    }
-}
-
-#[test]
-fn an_empty_row_or_column_is_left_alone() {
-    let mut certifier = Certifier::default();
-    certifier.resize(2, 4);
-    certifier.jac.copy_from_slice(&[1024.0, 0.0, 0.0, 0.0]);
-    certifier.equilibrate(&Pattern::dense(2));
-    assert_eq!((certifier.row_scale[1], certifier.column_scale[1]), (0, 0));
-    assert_eq!(certifier.row_scale[0] + certifier.column_scale[0], -10);
 }
 
 #[test]
@@ -344,7 +305,53 @@ fn zeros_in_any_units_are_no_solution() {
             let jac: Vec<f64> = (0..16).map(entry).collect();
             let mut problem = line(&[NONNEGATIVE; 4], &[0.0; 4], &c.map(|c| f * c), &jac);
             let certificate = examine(&mut problem, &[0.0; 4]).unwrap();
-            assert!(certificate.relative_residual > 1e-4, "{units:?} {f}: {certificate:?}");
+            let verdict = certificate.verdict(None, 1e-8);
+            assert_eq!(verdict, Verdict::Refused, "{units:?} {f}: {certificate:?}");
         }
+    }
+}
+
+#[test]
+fn rounding_of_numbers_of_order_ten_is_accepted_at_a_start_of_zero() {
+    // (z + 10) − 10.1 + 0.1.
+    let noise = (0.0 + 10.0) - 10.1 + 0.1;
+    assert!(noise != 0.0);
+    for z in [0.0, 1e-16] {
+        let accepted = verdict(&mut scalar(FREE, 0.0, noise, 1.0), &[z]);
+        assert_eq!(accepted, Verdict::Accepted, "{z}");
+    }
+}
+
+#[test]
+fn a_large_f_against_a_bound_excuses_no_other_row() {
+    // Two variables in [0, 1], F₁ = z₁ + z₂ − 1e9, F₂ = z₂ − z₁: only (1, 1).
+    let bounds = [(0.0, 1.0); 2];
+    let jac = [1.0, -1.0, 1.0, 1.0];
+    let mut boxed = line(&bounds, &[0.0; 2], &[-1e9, 0.0], &jac);
+    assert_eq!(verdict(&mut boxed, &[0.0; 2]), Verdict::Refused);
+    assert_eq!(verdict(&mut boxed, &[1.0; 2]), Verdict::Accepted);
+    // Nine large forces against their bounds beside z₁₀ − 1 = 0.
+    let n = 10;
+    let entry = |k: usize| match (k % n, k / n) {
+        (i, j) if i == j => 1.0,
+        (9, _) => 0.25,
+        (_, 9) => 0.5,
+        _ => 0.0,
+    };
+    let jac: Vec<f64> = (0..n * n).map(entry).collect();
+    let mut c = vec![1e9; n];
+    c[9] = -1.0;
+    let mut forces = line(&[NONNEGATIVE; 10], &[0.0; 10], &c, &jac);
+    assert_eq!(verdict(&mut forces, &[0.0; 10]), Verdict::Refused);
+}
+
+#[test]
+fn quantities_tell_nothing_about_prices_that_share_no_equation() {
+    // 2 − p ⟂ q >= 0, q − 3 ⟂ p >= 0 at (3, 0), with q in any unit.
+    for unit in [1.0, 2_f64.powi(-30), 2_f64.powi(30)] {
+        let jac = [0.0, unit, -1.0, 0.0];
+        let mut market = line(&[NONNEGATIVE; 2], &[0.0; 2], &[2.0, -3.0], &jac);
+        let certificate = examine(&mut market, &[3.0 / unit, 0.0]).unwrap();
+        assert!(certificate.relative_residual > 1e-3, "{unit}: {certificate:?}");
     }
 }

@@ -173,7 +173,8 @@ pub struct Stats {
     pub factorisations: usize,
     /// Steps along the negative gradient of the merit.
     pub gradient_steps: usize,
-    /// Evaluations of `F` and `J` by the certificate.
+    /// Points judged by the certificate: one evaluation of `F` and `J` each, seldom a second `F` and two
+    /// more `J`.
     pub certificate_evaluations: usize,
 }
 

@@ -51,6 +51,16 @@ impl Search<'_, '_> {
         Continue(())
     }
 
+    /// A start of zeros may be a solution but for rounding, from which no scales follow.
+    pub(super) fn judge_zeros(&mut self) -> Flow {
+        let is_zero = self.memory.start.iter().all(|z| *z == 0.0);
+        if is_zero && self.ask() == Verdict::Accepted {
+            self.report()?;
+            return Break(Status::Solved);
+        }
+        Continue(())
+    }
+
     /// `e = max_i |mid((y_i − l_i)/w_i, G_i/s_i, (y_i − u_i)/w_i)|` with `w_j = |y_j| + τ`,
     /// `s_i = Σ_j |J_ij| w_j`, from the last `J` known: the residual of the certificate, in scaled
     /// variables with one gauge `τ`.

@@ -189,6 +189,7 @@ impl Search<'_, '_> {
         self.measure_scales();
         let memory = &mut *self.memory;
         memory.unit.copy_from_slice(memory.view.units());
+        self.judge_zeros()?;
         self.judge()?;
         self.begin()?;
         Continue(())
@@ -347,8 +348,6 @@ impl Search<'_, '_> {
     fn begin(&mut self) -> Flow {
         self.report()?;
         if self.run.stats.jacobian_evaluations >= self.run.options.robust.jacobians {
-            // The status is the limit; what was found stays as the diagnosis.
-            self.diagnose();
             return Break(Status::IterationLimit);
         }
         self.run.check_limits()
