@@ -311,7 +311,9 @@ impl MoreauJean {
         for &c in &self.active {
             let contact = &self.system.contacts[c];
             // u⁺ + e u
-            model.q[i] += contact.restitution * self.rows[i].times(&self.v);
+            if contact.restitution != 0.0 {
+                model.q[i] += contact.restitution * self.rows[i].times(&self.v);
+            }
             i += 1 + usize::from(contact.friction.is_some());
         }
         problem.scale_friction();

@@ -1,6 +1,5 @@
 use super::*;
 use proptest::prelude::*;
-use std::time::Instant;
 
 pub(super) fn sets() -> [Set; 2] {
     let plants = Set::new("plants", ["seattle", "san-diego"]).unwrap();
@@ -157,15 +156,14 @@ fn a_table_of_too_many_elements_is_an_error() {
 }
 
 #[test]
-fn ninety_thousand_keys_take_no_time() {
+fn ninety_thousand_keys_find_their_places() {
     let label = |k: usize| format!("label {k}");
     let set = Set::new("nodes", (0..300).map(label)).unwrap();
     let entry = |k: usize| ((label(k % 300), label(k / 300)), k as f64);
     let table = Table::from((0..90_000).map(entry).collect::<Vec<_>>());
-    let clock = Instant::now();
     let numbers = table.resolve("cost", &[&set, &set]).unwrap();
-    assert!(clock.elapsed().as_secs_f64() < 0.5);
-    assert_eq!(numbers[1], 300.0);
+    let place = |k: usize| (k % 300 * 300 + k / 300) as f64;
+    assert!(numbers.iter().enumerate().all(|(k, &number)| number == place(k)));
 }
 
 proptest! {
