@@ -49,12 +49,8 @@ impl<const N: usize> Corners<Jet<N>> {
 #[used]
 static PLAIN: Reads<f64> = Reads::ALL;
 #[used]
-static NARROW: Reads<Jet<2>> = Reads::ALL;
-#[used]
 static JET: Reads<Jet<8>> = Reads::ALL;
 #[used]
 static TAPED: Reads<Taped<'static>> = Reads::ALL;
-#[used]
-static NARROW_CORNERS: Corners<Jet<2>> = Corners::ALL;
 #[used]
 static CORNERS: Corners<Jet<8>> = Corners::ALL;

@@ -15,8 +15,8 @@ impl<M: Model> AdProblem<M> {
     /// carried, whether they are zero or not.
     ///
     /// A row takes `a` operations for its value and `t` for one tangent. Derivatives that are the same
-    /// at every point take none. A row with `k` others takes `a + L t`, with `L = 2` lanes for `k <= 2`
-    /// and 8 for `k <= 8`, and `a + 2 t` above: slopes of all operations, and one sweep back over them.
+    /// at every point take none. A row with up to 8 others takes `a + 8 t`, and `a + 2 t` above:
+    /// slopes of all operations, and one sweep back over them.
     /// A function of fixed size takes `a + L t` in all rows together for every `L` of its variables, at
     /// most 16. The chain rule through definitions takes two more for every variable of every
     /// definition by which a derivative is carried.
@@ -63,8 +63,7 @@ impl<M: Model> AdProblem<M> {
         {
             total += match lanes {
                 0 => value,
-                1..=2 => in_lanes(value, with_tangent, lanes, 2),
-                3..=8 => in_lanes(value, with_tangent, lanes, 8),
+                1..=8 => in_lanes(value, with_tangent, lanes, 8),
                 _ => value + 2 * (with_tangent - value),
             };
             total += 2 * chained as u64;
@@ -134,9 +133,9 @@ mod tests {
     #[test]
     fn rows_carry_what_is_not_constant_and_pay_for_the_chain_rule() {
         let problem = AdProblem::new(Shared::builder().build().unwrap()).unwrap();
-        // The sum: two additions, and no tangent. Each row: a product of two reads, 2 lanes, and three
+        // The sum: two additions, and no tangent. Each row: a product of two reads, 8 lanes, and three
         // products and sums by the definition's variables.
-        let (sum, row) = (2, 1 + 2 * 3 + 2 * 3);
+        let (sum, row) = (2, 1 + 8 * 3 + 2 * 3);
         assert_eq!(problem.jacobian_operations(), Ok(sum + 3 * row));
     }
 }

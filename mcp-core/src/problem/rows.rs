@@ -38,10 +38,7 @@ pub(super) enum Kind {
 }
 
 /// Rows in plain numbers, in jets and on a tape.
-pub(super) trait JetRows:
-    RowsIn<f64> + RowsIn<Jet<2>> + RowsIn<Jet<8>> + for<'t> RowsIn<Taped<'t>>
-{
-}
+pub(super) trait JetRows: RowsIn<f64> + RowsIn<Jet<8>> + for<'t> RowsIn<Taped<'t>> {}
 
 impl<M: Model> JetRows for M {}
 
@@ -58,8 +55,7 @@ impl LaneChoice for Jets<'_> {
     fn evaluate(&self, row: &LocalRow<'_>, mut put: impl FnMut(usize, f64)) -> f64 {
         match row.lanes {
             0 => row.value(self.rows),
-            1..=2 => row.in_lanes::<Jet<2>>(self.rows, put),
-            3..=8 => row.in_lanes::<Jet<8>>(self.rows, put),
+            1..=8 => row.in_lanes::<Jet<8>>(self.rows, put),
             lanes => {
                 let adjoints = &mut *self.adjoints.borrow_mut();
                 let value = on_tape(self.rows, row, self.tape, adjoints);
