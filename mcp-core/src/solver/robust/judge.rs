@@ -58,6 +58,8 @@ impl Search<'_, '_> {
             self.report()?;
             return Break(Status::Solved);
         }
+        // Of the start, not of the end.
+        self.run.certificate = None;
         Continue(())
     }
 
