@@ -3,7 +3,7 @@
 use super::super::ast::FieldKind;
 use super::super::names::is_type;
 use super::Expansion;
-use super::items::{about, indices};
+use super::items::{about, indices, input_type, sets_of};
 use proc_macro2::{Ident, TokenStream};
 use quote::format_ident;
 
@@ -65,28 +65,13 @@ impl Expansion<'_> {
     fn given(&self) -> impl Iterator<Item = (usize, &Ident, Given<'_>, String)> {
         let fields = self.model.fields.iter().enumerate();
         let fields = fields.filter(|(_, field)| field.part.is_none()).filter_map(|(k, field)| {
-            let (given, what) = match &field.kind {
-                FieldKind::Set | FieldKind::Ordered | FieldKind::Size => ("Labels", "set"),
-                FieldKind::Subset(_) => ("LabelSubset", "subset"),
-                FieldKind::Pairs(..) => ("LabelPairs", "pairs"),
-                FieldKind::Map(..) => ("LabelMap", "map"),
-                FieldKind::Table => ("Table", "table"),
-                FieldKind::Value(value) => {
-                    let about = about(&field.attributes, &format!("`{}`", field.name));
-                    return Some((k, &field.name, Given::User(value), about));
-                }
-                FieldKind::Labels(_) | FieldKind::Count(_) => return None,
-            };
-            let sets: Vec<String> = field.over.iter().map(ToString::to_string).collect();
-            let sets =
-                if sets.is_empty() { String::new() } else { format!("[{}]", sets.join(", ")) };
-            let text = format!("The {what} `{}{sets}`", field.name);
-            Some((
-                k,
-                &field.name,
-                Given::Input(format_ident!("{given}")),
-                about(&field.attributes, &text),
-            ))
+            if let FieldKind::Value(value) = &field.kind {
+                let about = about(&field.attributes, &format!("`{}`", field.name));
+                return Some((k, &field.name, Given::User(value), about));
+            }
+            let (input, what) = input_type(field)?;
+            let text = format!("The {what} `{}{}`", field.name, sets_of(field));
+            Some((k, &field.name, Given::Input(input), about(&field.attributes, &text)))
         });
         let first = self.model.fields.len();
         let params = self.model.params.iter().enumerate();

@@ -212,6 +212,26 @@ pub(super) fn about(attributes: &[Attribute], what: &str) -> String {
     }
 }
 
+/// The input type of `mcp_core::language` that a field is given as, and what it is called; none for numbers,
+/// and for what the text itself gives.
+pub(super) fn input_type(field: &Field) -> Option<(Ident, &'static str)> {
+    let (input, what) = match &field.kind {
+        FieldKind::Set | FieldKind::Ordered | FieldKind::Size => ("Labels", "set"),
+        FieldKind::Subset(_) => ("LabelSubset", "subset"),
+        FieldKind::Pairs(..) => ("LabelPairs", "pairs"),
+        FieldKind::Map(..) => ("LabelMap", "map"),
+        FieldKind::Table => ("Table", "table"),
+        FieldKind::Value(_) | FieldKind::Labels(_) | FieldKind::Count(_) => return None,
+    };
+    Some((format_ident!("{input}"), what))
+}
+
+/// `[plants, markets]`, or nothing.
+pub(super) fn sets_of(field: &Field) -> String {
+    let sets: Vec<String> = field.over.iter().map(ToString::to_string).collect();
+    if sets.is_empty() { String::new() } else { format!("[{}]", sets.join(", ")) }
+}
+
 /// `[i in plants, j in markets]`, or nothing.
 pub(super) fn indices(over: &[Index]) -> String {
     let indices: Vec<String> =

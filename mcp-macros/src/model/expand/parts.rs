@@ -1,9 +1,9 @@
 //! Parts: a type for each with its data, and `with`. A family of a part that is off has no element and
 //! is not declared.
 
-use super::super::ast::{Field, FieldKind, Part};
+use super::super::ast::{FieldKind, Part};
 use super::additions::added_field;
-use super::items::{about, indices};
+use super::items::{about, indices, input_type, sets_of};
 use super::{Expansion, label};
 use crate::type_name::type_name;
 use proc_macro2::{Ident, Span, TokenStream};
@@ -195,11 +195,13 @@ impl Expansion<'_> {
     fn given_with(&self, part: usize) -> Vec<GivenWith<'_>> {
         let fields = self.model.fields.iter().filter(|field| field.part == Some(part));
         let fields = fields.filter_map(|field| {
-            let (input, what) = input(field)?;
-            let sets: Vec<String> = field.over.iter().map(ToString::to_string).collect();
-            let sets =
-                if sets.is_empty() { String::new() } else { format!("[{}]", sets.join(", ")) };
-            let text = format!("The {what} `{}{sets}`", label(&field.name));
+            let (input, what) = if let FieldKind::Value(value) = &field.kind {
+                (value.to_token_stream(), "number")
+            } else {
+                let (input, what) = input_type(field)?;
+                (code!(::mcp_core::language::#input), what)
+            };
+            let text = format!("The {what} `{}{}`", label(&field.name), sets_of(field));
             let about = about(&field.attributes, &text);
             Some(GivenWith { name: &field.name, number: self.number_of(field), input, about })
         });
@@ -237,19 +239,4 @@ struct GivenWith<'m> {
     number: usize,
     input: TokenStream,
     about: String,
-}
-
-/// The type that a field of the data is given as, and what it is called.
-fn input(field: &Field) -> Option<(TokenStream, &'static str)> {
-    let (given, what) = match &field.kind {
-        FieldKind::Set | FieldKind::Ordered | FieldKind::Size => ("Labels", "set"),
-        FieldKind::Subset(_) => ("LabelSubset", "subset"),
-        FieldKind::Pairs(..) => ("LabelPairs", "pairs"),
-        FieldKind::Map(..) => ("LabelMap", "map"),
-        FieldKind::Table => ("Table", "table"),
-        FieldKind::Value(value) => return Some((value.to_token_stream(), "number")),
-        FieldKind::Labels(_) | FieldKind::Count(_) => return None,
-    };
-    let given = format_ident!("{given}");
-    Some((code!(::mcp_core::language::#given), what))
 }
