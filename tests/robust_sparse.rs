@@ -1,8 +1,11 @@
 //! The stages of the default method on sparse problems: all but pivoting take them.
 
 mod common;
+#[path = "../benches/scaling/doubled.rs"]
+mod doubled;
 
 use common::solve;
+use doubled::Doubled;
 use mcp_core::{AdProblem, Method, Options, Robust, Stage, mcp};
 
 mcp! {
@@ -17,23 +20,6 @@ mcp! {
                 - z.at(i, j - 1).or(0.3) - z.at(i, j + 1).or(0.3)
                 + h * h * (z[i, j] * z[i, j] * z[i, j] * 0.5 + 10.0)
             complements z[i, j];
-    }
-}
-
-mcp! {
-    /// A membrane on springs with every equation there twice, once for a variable that no equation reads:
-    /// the matrix is singular everywhere, and not only up to rounding.
-    model Doubled {
-        data { nodes: usize }
-        var z[i in nodes, j in nodes] free start 1.0;
-        var w[i in nodes, j in nodes] free;
-        def bent[i in nodes, j in nodes]:
-            6.0 * z[i, j] - z.at(i - 1, j).or(0.0) - z.at(i + 1, j).or(0.0)
-                - z.at(i, j - 1).or(0.0) - z.at(i, j + 1).or(0.0)
-                + z[i, j] * z[i, j] * z[i, j] * 0.5 + 10.0;
-
-        eq once[i in nodes, j in nodes]: bent[i, j] complements z[i, j];
-        eq twice[i in nodes, j in nodes]: bent[i, j] complements w[i, j];
     }
 }
 
@@ -88,7 +74,7 @@ fn every_stage_but_pivoting_solves_a_sparse_problem_alone() {
 
 #[test]
 fn levenberg_marquardt_solves_a_sparse_problem_whose_matrix_is_singular() {
-    let model = Doubled::builder().nodes(70).build().unwrap();
+    let model = Doubled::on(70).unwrap();
     let mut problem = AdProblem::new(&model).unwrap();
     let options = alone(|r| r.semismooth = Robust::default().semismooth);
     let solution = solve(&mut problem, &options);

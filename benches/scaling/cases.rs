@@ -1,6 +1,7 @@
 //! The cases of the table, and one run of a case.
 
-use crate::models::{Doubled, Membrane, Spring, Traffic, Transport};
+use crate::doubled::Doubled;
+use crate::models::{Membrane, Spring, Traffic, Transport};
 use crate::roads::Roads;
 use mcp_core::linalg::FaerSparseLu;
 use mcp_core::{

@@ -12,6 +12,7 @@
 
 mod cases;
 mod chart;
+mod doubled;
 mod models;
 mod phases;
 mod roads;
