@@ -17,7 +17,7 @@ use std::sync::Arc;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Engine {
-    /// [`Jet`]: 2 or 8 lanes for a row, above that a sweep back over its operations; for a function of
+    /// [`Jet`]: 8 lanes for a row, above that a sweep back over its operations; for a function of
     /// fixed size an even number up to 16. The default.
     #[default]
     Jet,

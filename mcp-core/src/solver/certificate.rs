@@ -56,7 +56,7 @@ pub struct Certificate {
     pub worst_relative: usize,
     /// Largest violation of a bound; 0 for every point a solver returns.
     pub bound_violation: f64,
-    /// Whether `F` and `J` are finite.
+    /// Whether `F` and `J` are finite, and `F` is not infinite on the bounds next to the point.
     pub is_finite: bool,
     /// An equation that must hold but no longer depends on any variable: all its derivatives are
     /// zero or subnormal.
