@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::{FREE, INF, NONNEGATIVE, check_honest, dense, scalar, solve, solve_from, watch};
+use common::{FREE, INF, NONNEGATIVE, affine, check_honest, dense, scalar, solve, solve_from, watch};
 use mcp_core::{
     AdProblem, Diagnosis, Iteration, Linear, LinearError, Method, ModelError, Options, Problem,
     Real, Scalar, Solution, Solver, Stage, StageEnd, Stall, Status, Verdict, examine, mcp_fn,
@@ -339,6 +339,34 @@ fn limits_of_zero_end_at_the_start_unless_it_is_a_solution() {
     }
 }
 
+/// `5x + 25y ⟂ x >= 0; 5x + 25y + 2 ⟂ y <= 1.23`: on `x = −5y` both equations hold but for 2, which is
+/// small beside terms as large as one likes.
+#[test]
+fn a_singular_pair_without_solution_is_not_solved_from_afar() {
+    let robust = Options::new(Method::Robust);
+    let m = vec![vec![5.0, 25.0]; 2];
+    for start in [[0.0, -1000.0], [0.0, -300.0], [1e4, 0.0], [0.0, 0.0], [1e6, 1.0], [-3e5, 7.0]] {
+        let bounds = [NONNEGATIVE, (-INF, 1.23)];
+        let mut problem = affine(m.clone(), vec![0.0, 2.0], &bounds, &start);
+        let solution = solve(&mut problem, &robust);
+        assert_ne!(solution.status, Status::Solved, "{start:?}: {:?}", solution.z);
+    }
+}
+
+/// `√z arctan z + 3.9 z + 1.1 ⟂ z >= 0`: at 0, the solution, the derivative is not defined.
+#[test]
+fn a_solution_on_a_bound_without_derivatives_is_met_exactly() {
+    let f = |z: f64| {
+        let slope = z.atan() * 0.5 / z.sqrt() + z.sqrt() / (1.0 + z * z) + 3.9;
+        (z.sqrt() * z.atan() + 3.9 * z + 1.1, slope)
+    };
+    for start in [0.0, 0.1, 1.0, 3.0, 10.0, 1000.0] {
+        let solution = solve(&mut scalar(NONNEGATIVE, start, f), &Options::new(Method::Robust));
+        assert_eq!((solution.status, solution.z[0]), (Status::Solved, 0.0), "{start}");
+        assert!(solution.stats.residual_evaluations <= 2, "{start}: {:?}", solution.stats);
+    }
+}
+
 /// `−e^−z ⟂ z >= 0` and the KKT system of problem 13 of Hock & Schittkowski (1981), which has no
 /// multipliers: both have points with a residual as small as one likes, far away, and no solution.
 #[test]
@@ -415,7 +443,7 @@ fn robust_names_what_can_move_together() {
 fn lemke_reports_a_ray_and_refuses_what_is_not_affine() {
     let lemke = Options::new(Method::Lemke);
     // −1 ⟂ z₁ >= 0: positive semidefinite, so no solution exists.
-    let mut infeasible = common::affine(
+    let mut infeasible = affine(
         vec![vec![0.0, 0.0], vec![0.0, 1.0]],
         vec![-1.0, -1.0],
         &[NONNEGATIVE; 2],
@@ -447,6 +475,7 @@ fn robust_records_its_stages_and_ends_at_limits() {
     let solution = solve_from(&mut billups.problem, &[0.0], &few);
     assert_eq!(solution.status, Status::IterationLimit);
     assert!(solution.stats.jacobian_evaluations <= 6, "{:?}", solution.stats);
+    assert_eq!(solution.diagnosis, Some(Diagnosis::Unfinished { worst: vec![0] }));
     let none = robust.with(|o| o.max_iterations = 0);
     let solution = solve_from(&mut billups.problem, &[0.0], &none);
     assert_eq!((solution.status, solution.stats.iterations), (Status::IterationLimit, 0));

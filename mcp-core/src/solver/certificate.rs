@@ -21,6 +21,9 @@
 //! it also is 0, the mean natural residual, the size of a Newton step, stands for its size. No `τ_j` is
 //! wider than its box.
 //!
+//! Where `z_i` stands on a bound and `F_i` has the sign that keeps it there, the equation is met whatever
+//! its derivatives: they need not be finite (`√z + 1` at 0).
+//!
 //! Two more looks follow where a point might be accepted. `s_i` is no larger than with `J` at
 //! `z ± 10⁻⁸ τ`, where rows would be excused by `τ`: beside a wall with an infinite slope `J(z)` says
 //! nothing about the way to a root. And `F` must not be infinite where variables next to a bound are
@@ -50,13 +53,14 @@ pub struct Certificate {
     pub natural_residual: f64,
     /// Variable of the largest natural residual; its equation is the worst one.
     pub worst: usize,
-    /// Row-relative residual, without units; NaN if `F` or `J` is not finite.
+    /// Row-relative residual, without units; NaN if `F` or a `J` that matters is not finite.
     pub relative_residual: f64,
     /// Variable of the largest relative residual.
     pub worst_relative: usize,
     /// Largest violation of a bound; 0 for every point a solver returns.
     pub bound_violation: f64,
-    /// Whether `F` and `J` are finite, and `F` is not infinite on the bounds next to the point.
+    /// Whether `F` is finite, `J` too but for equations met by a variable on its bound, and `F` is not
+    /// infinite on the bounds next to the point.
     pub is_finite: bool,
     /// An equation that must hold but no longer depends on any variable: all its derivatives are
     /// zero or subnormal.
@@ -91,7 +95,7 @@ impl Certificate {
         }
     }
 
-    /// The definition of a solution: in the box, `F` and `J` finite, `e <= tol_relative`, and
+    /// The definition of a solution: in the box, [finite](Self::is_finite), `e <= tol_relative`, and
     /// `r <= tol` if an absolute tolerance is set.
     ///
     /// Where `r <= tol` but an equation has lost its derivatives, or `e` stays large while a
@@ -199,6 +203,7 @@ impl Certifier {
 
     pub(crate) fn judge(&mut self, problem: &mut dyn Problem, z: &[f64]) -> Certificate {
         problem.evaluate(z, Some(&mut self.f), Some(&mut self.jac));
+        self.forgive(problem, z);
         let is_finite = all_finite(&self.f) && all_finite(&self.jac) && all_finite(z);
         if is_finite {
             self.sizes.measure(problem.shape(), problem.pattern(), (z, &self.f, &self.jac));
@@ -212,6 +217,21 @@ impl Certifier {
             certificate.is_finite = !self.is_infinite_on_bounds(problem, z);
         }
         certificate
+    }
+
+    /// Zeros in `J` where it is not finite and need not be: in equations met by a variable on its bound.
+    fn forgive(&mut self, problem: &dyn Problem, z: &[f64]) {
+        if all_finite(&self.jac) {
+            return;
+        }
+        let bounds = problem.shape().bounds();
+        for (entry, i) in self.jac.iter_mut().zip(problem.pattern().rows()) {
+            let (l, u, f) = (bounds.lower()[i], bounds.upper()[i], self.f[i]);
+            let is_met = z[i] == l && f >= 0.0 || z[i] == u && f <= 0.0;
+            if is_met && !entry.is_finite() {
+                *entry = 0.0;
+            }
+        }
     }
 
     /// The residuals, from `F` and the sizes.
@@ -242,20 +262,27 @@ impl Certifier {
             if !is_finite {
                 continue;
             }
-            let (w, s) = (self.sizes.weight[i], self.sizes.of_row[i]);
-            // A size that has overflowed must not make the residual 0.
-            let f_relative = if f == 0.0 { 0.0 } else { f / s.min(f64::MAX) };
-            let relative = middle(above / w, f_relative, below / w).abs();
+            let relative = self.relative_residual(shape, z, i);
             if !(relative <= certificate.relative_residual) {
                 certificate.relative_residual = relative;
                 certificate.worst_relative = i;
             }
             let must_hold = above > f && below < f;
-            if must_hold && s == 0.0 {
+            if must_hold && self.sizes.of_row[i] == 0.0 {
                 certificate.vanishing_row.get_or_insert(i);
             }
         }
         certificate
+    }
+
+    /// `|mid((z_i − l_i)/w_i,  F_i/s_i,  (z_i − u_i)/w_i)|` at the point judged last, where `F` and `J` are
+    /// finite.
+    pub(crate) fn relative_residual(&self, shape: &Shape, z: &[f64], i: usize) -> f64 {
+        let (lower, upper) = (shape.bounds().lower()[i], shape.bounds().upper()[i]);
+        let (w, s, f) = (self.sizes.weight[i], self.sizes.of_row[i], self.f[i]);
+        // A size that has overflowed must not make the residual 0.
+        let f_relative = if f == 0.0 { 0.0 } else { f / s.min(f64::MAX) };
+        middle((z[i] - lower) / w, f_relative, (z[i] - upper) / w).abs()
     }
 
     /// Whether an equation that must hold does so only by what `τ` adds to its size.
@@ -289,6 +316,7 @@ impl Certifier {
         }
         self.sizes.lessen(problem.pattern(), &self.jac, &mut self.f_beside);
         problem.evaluate(z, None, Some(&mut self.jac));
+        self.forgive(problem, z);
     }
 
     /// Whether `F` is infinite where variables that belong onto a bound are put there. Where it is NaN,

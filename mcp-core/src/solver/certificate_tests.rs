@@ -190,7 +190,8 @@ fn a_point_of_the_wrong_length_is_an_error() {
 fn nan_and_infinity_are_never_hidden() {
     for bad in [f64::NAN, INF, -INF] {
         for bounds in [FREE, NONNEGATIVE, (-INF, 0.0), (0.0, 0.0), (0.0, 1.0)] {
-            for (c, slope) in [(bad, 1.0), (0.0, bad)] {
+            let is_free = bounds == FREE;
+            for (c, slope) in [(bad, 1.0), (0.0, bad)].into_iter().take(1 + usize::from(is_free)) {
                 let certificate = examine(&mut scalar(bounds, 0.0, c, slope), &[0.0]).unwrap();
                 assert!(!certificate.is_finite, "{bounds:?} {c} {slope}");
                 assert!(certificate.relative_residual.is_nan(), "{bounds:?} {c} {slope}");
@@ -202,6 +203,23 @@ fn nan_and_infinity_are_never_hidden() {
         }
         let certificate = examine(&mut scalar(FREE, 0.0, 0.0, 1.0), &[bad]).unwrap();
         assert_eq!(certificate.verdict(Some(INF), INF), Verdict::Refused);
+    }
+}
+
+#[test]
+fn derivatives_of_an_equation_met_on_a_bound_need_not_be_finite() {
+    for bad in [f64::NAN, INF, -INF] {
+        for (bounds, f) in [(NONNEGATIVE, 1.1), (NONNEGATIVE, 0.0), ((-INF, 0.0), -3.0)] {
+            let here = |f: f64| examine(&mut scalar(bounds, 0.0, f, bad), &[0.0]).unwrap();
+            assert_eq!(here(f).verdict(None, 1e-8), Verdict::Accepted, "{bounds:?} {f} {bad}");
+            assert_eq!((here(f).natural_residual, here(f).relative_residual), (0.0, 0.0));
+            let wrong = if bounds == NONNEGATIVE { -1e-300 } else { 1e-300 };
+            assert_eq!(here(wrong).verdict(Some(INF), INF), Verdict::Refused, "{bounds:?} {bad}");
+        }
+        // The same derivative in an equation that must hold counts.
+        let bounds = [NONNEGATIVE, FREE];
+        let mut both = line(&bounds, &[0.0; 2], &[1.0, 0.0], &[bad, bad, 0.0, 1.0]);
+        assert!(!examine(&mut both, &[0.0; 2]).unwrap().is_finite);
     }
 }
 

@@ -17,6 +17,11 @@ pub enum Diagnosis {
         /// `‖∇θ‖∞`, relative to the terms it is summed from.
         gradient: f64,
     },
+    /// A limit was reached before anything else could be told.
+    Unfinished {
+        /// Equations that hold least at the best point, relative to their terms, the worst first.
+        worst: Vec<usize>,
+    },
     /// The Newton system is singular: these variables can move together without changing `F` to
     /// first order.
     Singular {
@@ -51,11 +56,16 @@ impl Diagnosis {
             }
             list
         };
+        let names = |equations: &[usize]| {
+            let names = equations.iter().map(|&i| format!("`{}`", shape.equation_name(i)));
+            names.collect::<Vec<String>>().join(", ")
+        };
         let _ = match self {
+            Diagnosis::Unfinished { worst } => {
+                write!(text, "furthest from holding: {}", names(worst))
+            }
             Diagnosis::Stationary { worst, gradient } => {
-                let names: Vec<String> =
-                    worst.iter().map(|&i| format!("`{}`", shape.equation_name(i))).collect();
-                let names = names.join(", ");
+                let names = names(worst);
                 if *gradient <= STATIONARY {
                     write!(
                         text,

@@ -191,7 +191,7 @@ fn a_point_barely_outside_is_named_whatever_the_tolerance() {
 
 #[test]
 fn a_derivative_that_is_not_finite_is_named() {
-    let mut problem = diagonal(&[(0.0, INF)], &[INF], &[0.0]);
+    let mut problem = diagonal(&[(-INF, INF)], &[INF], &[0.0]);
     let check = PointCheck::new(&mut problem, &[0.0]).unwrap();
     let message = "the point is not a solution: its residual is 0.0e0, but the derivative of \
                    `F[1]` by `z[1]` is not finite";

@@ -52,12 +52,26 @@ impl Search<'_, '_> {
             {
                 return Status::SolvedAsymptotically;
             }
+            if matches!(status, Status::IterationLimit | Status::TimeLimit) {
+                let worst = self.worst_at_best();
+                self.run.work.diagnosis = Some(Diagnosis::Unfinished { worst });
+            }
         }
-        let memory = &self.memory;
-        if memory.asymptotic && status == Status::IterationLimit {
-            return Status::SolvedAsymptotically;
+        match status {
+            Status::IterationLimit if self.memory.asymptotic => Status::SolvedAsymptotically,
+            status => status,
         }
-        status
+    }
+
+    /// Equations in the order of their relative residuals at the best point, which was judged last.
+    fn worst_at_best(&self) -> Vec<usize> {
+        let (shape, judge) = (self.run.problem.shape(), &self.run.work.certifier);
+        let z = &self.memory.model_z;
+        let residual = |i: usize| judge.relative_residual(shape, z, i);
+        let mut order: Vec<usize> = (0..z.len()).filter(|&i| residual(i) > 0.0).collect();
+        order.sort_by(|&i, &j| residual(j).total_cmp(&residual(i)));
+        order.truncate(SHOWN);
+        order
     }
 
     fn go_to_best(&mut self) {

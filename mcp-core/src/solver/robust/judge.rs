@@ -23,6 +23,8 @@ const GROWN: [f64; 2] = [10.0, 100.0];
 const FAR: f64 = 1e4;
 /// Growth up to which terms are counted where a variable has grown beyond [`FAR`].
 const NEAR: f64 = 100.0;
+/// The same where the matrix is singular there: up to the start.
+const AT_START: f64 = 1.0;
 /// Relative Newton step of a point that still moves.
 const MOVING: f64 = 0.1;
 /// Growth beyond which a stage is left.
@@ -47,6 +49,16 @@ impl Search<'_, '_> {
                 memory.slope[j] = memory.here.z[j] - memory.start_y[j];
             }
             memory.view.unscale_direction(&memory.slope, &mut memory.runaway);
+        }
+        Continue(())
+    }
+
+    /// Where all variables stand on bounds that `F` keeps them at, `J` need not be finite.
+    pub(super) fn judge_on_bounds(&mut self) -> Flow {
+        let memory = &*self.memory;
+        if memory.view.natural_max(&memory.here) == 0.0 && self.ask() == Verdict::Accepted {
+            self.report()?;
+            return Break(Status::Solved);
         }
         Continue(())
     }
@@ -167,7 +179,8 @@ impl Search<'_, '_> {
         self.measure_scales();
         if !self.undamped_min_map_direction() {
             // So is every system with multipliers that are not unique.
-            return self.memory.asymptotic && growth > FAR;
+            return self.memory.asymptotic && growth > FAR
+                || self.near_residual(AT_START) > self.run.options.tol_relative;
         }
         let memory = &*self.memory;
         (0..memory.unit.len()).any(|j| {
@@ -181,13 +194,13 @@ impl Search<'_, '_> {
     pub(super) fn is_far_from_solved(&mut self) -> bool {
         let memory = &*self.memory;
         (0..memory.unit.len()).any(|j| memory.growth(j) > FAR)
-            && self.near_residual() > self.run.options.tol_relative
+            && self.near_residual(NEAR) > self.run.options.tol_relative
     }
 
     /// The relative residual at the point last judged, with terms no larger than where variables
-    /// have grown by [`NEAR`]. Along a null vector of `J` terms grow and `F` stays what it was: small
+    /// have grown by the factor `near`. Along a null vector of `J` terms grow and `F` stays what it was: small
     /// relative to its terms, and no smaller than at the start.
-    fn near_residual(&mut self) -> f64 {
+    fn near_residual(&mut self, near: f64) -> f64 {
         let Search { run, memory } = self;
         let (z, f, jac) = (&memory.model_z, run.work.certifier.f(), run.work.certifier.jac());
         let own = |j: usize| match memory.start[j].abs() {
@@ -195,7 +208,7 @@ impl Search<'_, '_> {
             start => start,
         };
         for j in 0..z.len() {
-            memory.weight[j] = z[j].abs().min(NEAR * own(j)) + own(j);
+            memory.weight[j] = z[j].abs().min(near * own(j)) + own(j);
         }
         memory.size.fill(0.0);
         run.problem.pattern().add_sizes(jac, |j| memory.weight[j], &mut memory.size);

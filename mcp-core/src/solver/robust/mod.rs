@@ -178,8 +178,11 @@ impl Search<'_, '_> {
             memory.view.unscaled(run.problem.shape().bounds());
             memory.start.copy_from_slice(&run.work.current.z);
             memory.here.z.copy_from_slice(&memory.start);
-            if self.evaluate_here() && self.jacobian() {
-                break;
+            if self.evaluate_here() {
+                if self.jacobian() {
+                    break;
+                }
+                self.judge_on_bounds()?;
             }
             if self.run.start_was_moved || !self.run.move_inside() {
                 return Break(Status::DomainError);
