@@ -2,7 +2,9 @@
 
 mod common;
 
-use common::{FREE, INF, NONNEGATIVE, affine, check_honest, dense, scalar, solve, solve_from, watch};
+use common::{
+    FREE, INF, NONNEGATIVE, affine, check_honest, dense, scalar, solve, solve_from, watch,
+};
 use mcp_core::{
     AdProblem, Diagnosis, Iteration, Linear, LinearError, Method, ModelError, Options, Problem,
     Real, Scalar, Solution, Solver, Stage, StageEnd, Stall, Status, Verdict, examine, mcp_fn,

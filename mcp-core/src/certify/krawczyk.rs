@@ -16,6 +16,8 @@ pub(super) struct ActiveSystem<'a> {
     z: &'a [f64],
     /// `w`
     weight: &'a [f64],
+    /// The box `|x_j − z_j| <= ρ h_j`; at first `h = w`.
+    half: Vec<f64>,
     /// `s`
     size: &'a [f64],
     /// `c`: `z`, at the bounds in `A`.
@@ -61,6 +63,7 @@ impl<'a> ActiveSystem<'a> {
         let mut system = ActiveSystem {
             z,
             weight: certifier.weight(),
+            half: certifier.weight().to_vec(),
             size: certifier.row_size(),
             centre,
             f: off.iter().map(|&i| f[i]).collect(),
@@ -109,9 +112,10 @@ impl<'a> ActiveSystem<'a> {
     }
 
     /// Tries the box of this relative radius; if it is not mapped into itself, the factor by which
-    /// `1 − Y G` shrinks relative distances.
+    /// `1 − Y G` shrinks distances relative to `h`. Where it does not, `h ← h + |1 − Y G| h`, a step
+    /// towards the Perron vector, the box it shrinks most.
     pub(super) fn attempt(
-        &self,
+        &mut self,
         problem: &dyn OverBoxes,
         pairs: &Pairs,
         radius: f64,
@@ -128,6 +132,7 @@ impl<'a> ActiveSystem<'a> {
         };
         let step = self.newton(&y);
         let (mut inside, mut factor) = (true, 0.0_f64);
+        let mut shrunk = vec![0.0; m];
         for i in 0..m {
             let mut row = vec![Interval::point(0.0); m];
             row[i] = Interval::point(1.0);
@@ -139,15 +144,17 @@ impl<'a> ActiveSystem<'a> {
             }
             let centre = Interval::point(self.centre[off[i]]);
             let mut image = centre + step[i];
-            let mut shrinks = 0.0;
             for (&entry, &j) in row.iter().zip(off) {
                 image = image + entry * (x[j] - Interval::point(self.centre[j]));
-                shrinks += entry.magnitude() * self.weight[j];
+                shrunk[i] += entry.magnitude() * self.half[j];
             }
             inside &= image.is_inside(&x[off[i]]);
-            factor = largest(factor, shrinks / self.weight[off[i]]);
+            factor = largest(factor, shrunk[i] / self.half[off[i]]);
         }
         if !inside {
+            if !(factor < 1.0) {
+                self.reshape(off, &shrunk);
+            }
             return Err(factor);
         }
         let undecided = undecided(shape, pairs, &x, &f);
@@ -159,12 +166,24 @@ impl<'a> ActiveSystem<'a> {
         })
     }
 
-    /// The box `|x_j − z_j| <= radius w_j`, in the bounds, with `c` in it.
+    /// `h ← h + |1 − Y G| h`, with the largest `h_j / w_j` again 1.
+    fn reshape(&mut self, off: &[usize], shrunk: &[f64]) {
+        let mut most = 0.0;
+        for (&j, shrunk) in off.iter().zip(shrunk) {
+            self.half[j] += shrunk;
+            most = largest(most, self.half[j] / self.weight[j]);
+        }
+        for &j in off {
+            self.half[j] /= most;
+        }
+    }
+
+    /// The box `|x_j − z_j| <= radius h_j`, in the bounds, with `c` in it.
     fn around(&self, shape: &Shape, radius: f64) -> Vec<Interval> {
         let (lower, upper) = (shape.bounds().lower(), shape.bounds().upper());
         (0..self.z.len())
             .map(|j| {
-                let x = Interval::around(self.z[j], radius * self.weight[j]);
+                let x = Interval::around(self.z[j], radius * self.half[j]);
                 let centre = Interval::point(self.centre[j]);
                 let x = Interval::new(x.lower().max(lower[j]), x.upper().min(upper[j]));
                 if x.is_undefined() { centre } else { x.union(centre) }

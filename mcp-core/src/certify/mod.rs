@@ -8,7 +8,7 @@
 //!
 //! The point `z` says which pairs are active: `A`, at a bound or nearer to it, in relative terms, than
 //! their `F` to 0; the others are `I`. `X` is the box of all `x` in the bounds with
-//! `|x_j − z_j| <= ρ w_j`, where `w_j = |z_j| + τ_j` are the weights of the
+//! `|x_j − z_j| <= ρ h_j`, where `h_j` are at first the weights `w_j` of the
 //! [`Certificate`](crate::Certificate). With `c` the point `z`, moved to the bounds in `A`, any matrix
 //! `Y` (near the inverse of the midpoints of `G`) and an interval matrix `G` that contains `F_I'(x)` by `x_I` for all `x` in
 //! `X`, the operator of Krawczyk ([Kra69](crate#references), [Neu90](crate#references) section 5.1) is
@@ -21,7 +21,8 @@
 //! `X_I`. If moreover `F_i > 0` on all of `X` for pairs active at a lower bound, `F_i < 0` at an upper
 //! one, and `X_I` touches no bound, then in `X` the complementarity problem has that solution and no
 //! other: where `F_i` has a strict sign the variable must be at its bound, and off the bounds
-//! `F_i` must be 0. Boxes grow from twice the Newton step until one succeeds or growing is in vain.
+//! `F_i` must be 0. Boxes grow from twice the Newton step, and
+//! change their shape where they are not mapped nearer, until one succeeds or growing is in vain.
 //!
 //! # What it refuses
 //!
@@ -67,6 +68,8 @@ const MOST_OFF: usize = 500;
 const SINGULAR: f64 = 1e15;
 /// A margin below which a pair that could not be decided is called degenerate: `√eps`.
 const DEGENERATE: f64 = 1.5e-8;
+/// How often boxes change their shape.
+const SHAPES: usize = 8;
 /// Boxes are tried up to this size, relative to the point.
 const LARGEST_RADIUS: f64 = 1e-2;
 
@@ -124,7 +127,7 @@ fn accuracy_at(problem: &mut dyn OverBoxes, z: &[f64], external: Option<String>)
         let refusal = Refusal::TooLarge { off, limit: MOST_OFF };
         return Accuracy { weakest, ..Accuracy::unknown(refusal) };
     }
-    let system = ActiveSystem::new(problem, z, &pairs, &certifier);
+    let mut system = ActiveSystem::new(problem, z, &pairs, &certifier);
     let mut accuracy = Accuracy {
         weakest,
         condition: system.condition,
@@ -133,7 +136,7 @@ fn accuracy_at(problem: &mut dyn OverBoxes, z: &[f64], external: Option<String>)
     };
     let attempt = match external {
         Some(equation) => Attempt::Refused(Refusal::External { equation }),
-        None => attempts(problem, &system, &pairs),
+        None => attempts(problem, &mut system, &pairs),
     };
     accuracy.proof = match attempt {
         Attempt::Proved { enclosure, radius } => {
@@ -159,19 +162,25 @@ fn accuracy_at(problem: &mut dyn OverBoxes, z: &[f64], external: Option<String>)
 }
 
 /// Boxes of growing size, until one decides.
-fn attempts(problem: &dyn OverBoxes, system: &ActiveSystem<'_>, pairs: &Pairs) -> Attempt {
+fn attempts(problem: &dyn OverBoxes, system: &mut ActiveSystem<'_>, pairs: &Pairs) -> Attempt {
     if !(system.condition <= SINGULAR) {
         let movable = system.movable(problem.shape(), &pairs.off);
         return Attempt::Refused(Refusal::Singular { movable });
     }
     let mut radius = (2.0 * system.newton_step).max(pairs.gap).max(4.0 * f64::EPSILON);
+    let mut shapes = 0;
     loop {
         match system.attempt(problem, pairs, radius) {
             Ok(attempt) => return attempt,
-            Err(contraction) if !(contraction < 1.0) || radius >= LARGEST_RADIUS => {
+            Err(contraction) if contraction < 1.0 && radius < LARGEST_RADIUS => radius *= 8.0,
+            Err(contraction)
+                if contraction.is_finite() && contraction >= 1.0 && shapes < SHAPES =>
+            {
+                shapes += 1;
+            }
+            Err(contraction) => {
                 return Attempt::Refused(Refusal::NoContraction { radius, contraction });
             }
-            Err(_) => radius *= 8.0,
         }
     }
 }

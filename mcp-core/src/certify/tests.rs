@@ -319,10 +319,10 @@ fn logsumexp_is_enclosed() {
     assert!(accuracy.enclosure[0].contains(x));
 }
 
-/// `F` is finite at the origin, the slope of its second equation is not.
-#[mcp_fn(lower = 0.0)]
+/// `F` is finite at the origin, the slope of its second equation, which must hold, is not.
+#[mcp_fn(lower = [0.0, f64::NEG_INFINITY])]
 fn root<D: Scalar>([x, y]: [Real<D>; 2]) -> [Real<D>; 2] {
-    [1 + x, y.sqrt() + x]
+    [1 + x, x.sqrt() + y]
 }
 
 #[test]

@@ -5,27 +5,25 @@
 //! ```text
 //! natural residual    r = max_i | mid(z_i − l_i,  F_i,  z_i − u_i) |
 //! relative residual   e = max_i | mid((z_i − l_i)/w_i,  F_i/s_i,  (z_i − u_i)/w_i) |
-//!                     w_j = |z_j| + τ_j,    s_i = Σ_j |J_ij| w_j
+//!                     s_i = Σ_j |J_ij| k_j,    w_j = max(k_j, min_i s_i / |J_ij|)
 //! ```
 //!
 //! `r` has the units of the model: it accepts wrong points where `F` is in small units and can
-//! never accept right ones where it is in large units. `e` has none: `s_i` is the size of the terms
-//! of `F_i`. Scaling equations by powers of two leaves `e` as it is, bit for bit; scaling variables
-//! changes it only through `τ`, by a small factor.
+//! never accept right ones where it is in large units. `e` has none. `s_i` is the size of the terms
+//! of `F_i`, and `w_j` the change of `z_j` that would be one of the terms in some equation, but no more than
+//! the width of its box or `|z_j|`. Scaling equations or variables by powers of two changes no bit of
+//! them.
 //!
-//! `τ_j` says what counts as small for variable `j`, and matters only where `z_j` is near 0. It is
-//! the column scale of the equilibrated `J(z)`, in binary exponents, times one gauge for every block
-//! of equations and variables that `J` connects: the geometric mean of `|z_j|` over the block in these
-//! scales, at least 10⁻⁴ of the same mean over the problem's start. Where a block starts at 0, the least
-//! is 10⁻⁶ in the units of the model, so that the rounding of numbers of order 1 to 10 is accepted; where
-//! it also is 0, the mean natural residual, the size of a Newton step, stands for its size. No `τ_j` is
-//! wider than its box.
+//! `k_j` is `|z_j|`, at least 2⁻¹³ (about 10⁻⁴) of what is known of the size of the variable: its start,
+//! or, where that is 0, the least `s_i / |J_ij|` over the variables that start elsewhere. Only a variable
+//! that starts at 0 in equations with others that do has `k_j >= 2⁻²⁰` (about 10⁻⁶) in the units of the
+//! model, so that the rounding of numbers of order 1 to 10 is accepted.
 //!
 //! Where `z_i` stands on a bound and `F_i` has the sign that keeps it there, the equation is met whatever
 //! its derivatives: they need not be finite (`√z + 1` at 0).
 //!
 //! Two more looks follow where a point might be accepted. `s_i` is no larger than with `J` at
-//! `z ± 10⁻⁸ τ`, where rows would be excused by `τ`: beside a wall with an infinite slope `J(z)` says
+//! `z ± 10⁻⁸ w`, where rows would be excused by more than `|z|`: beside a wall with an infinite slope `J(z)` says
 //! nothing about the way to a root. And `F` must not be infinite where variables next to a bound are
 //! put onto it. Cost: one pass, a few sweeps over the nonzeros, rarely three passes more.
 //!
@@ -42,7 +40,10 @@ use sizes::Sizes;
 
 /// Relative residual of a point that deserves a second look.
 const PROMISING: f64 = 1e-2;
-/// Share of `τ` beside the point where slopes are measured again: the default of `tol_relative`.
+/// Growth from which rounding in a sum of terms is more than the default of `tol_relative` of its
+/// terms at the start: `2²⁶`.
+const GROWN: f64 = 67_108_864.0;
+/// Share of `w` beside the point where slopes are measured again: the default of `tol_relative`.
 const BESIDE: f64 = 1e-8;
 
 /// What was found at a point.
@@ -67,6 +68,9 @@ pub struct Certificate {
     pub vanishing_row: Option<usize>,
     /// A variable beyond 10¹² times its start (or 1).
     pub diverging: Option<usize>,
+    /// A variable beyond 2²⁶ times its start (or 1) while in every equation with such variables that must
+    /// hold `|F_i − (J z)_i| <= 8ε s_i`: whatever constants there are have been lost in rounding.
+    pub constants_lost: Option<usize>,
 }
 
 /// What a certificate means for given tolerances.
@@ -92,21 +96,22 @@ impl Certificate {
             is_finite: false,
             vanishing_row: None,
             diverging: None,
+            constants_lost: None,
         }
     }
 
     /// The definition of a solution: in the box, [finite](Self::is_finite), `e <= tol_relative`, and
     /// `r <= tol` if an absolute tolerance is set.
     ///
-    /// Where `r <= tol` but an equation has lost its derivatives, or `e` stays large while a
-    /// variable runs away, it is asymptotic. Without an absolute tolerance `e` alone decides.
+    /// Where `r <= tol` but an equation has lost its derivatives or its constants, or `e` stays large
+    /// while a variable runs away, it is asymptotic. Without an absolute tolerance `e` alone decides.
     pub fn verdict(&self, tol: Option<f64>, tol_relative: f64) -> Verdict {
         let in_box = self.bound_violation <= 0.0;
         let relative = self.relative_residual <= tol_relative;
         let small = tol.map_or(relative, |tol| self.natural_residual <= tol);
         if !(in_box && self.is_finite && small) {
             Verdict::Refused
-        } else if self.vanishing_row.is_some() {
+        } else if self.vanishing_row.is_some() || self.constants_lost.is_some() {
             Verdict::Asymptotic
         } else if relative {
             Verdict::Accepted
@@ -206,14 +211,15 @@ impl Certifier {
         self.forgive(problem, z);
         let is_finite = all_finite(&self.f) && all_finite(&self.jac) && all_finite(z);
         if is_finite {
-            self.sizes.measure(problem.shape(), problem.pattern(), (z, &self.f, &self.jac));
+            self.sizes.measure(problem.shape(), problem.pattern(), z, &self.jac);
         }
         let mut certificate = self.compare(problem.shape(), z, is_finite);
         if certificate.relative_residual <= PROMISING {
-            if self.leans_on_tau(problem, z) {
+            if self.leans_on_known(problem, z) {
                 self.look_beside(problem, z);
                 certificate = self.compare(problem.shape(), z, is_finite);
             }
+            certificate.constants_lost = self.lost_constants(problem, z);
             certificate.is_finite = !self.is_infinite_on_bounds(problem, z);
         }
         certificate
@@ -285,8 +291,34 @@ impl Certifier {
         middle((z[i] - lower) / w, f_relative, (z[i] - upper) / w).abs()
     }
 
-    /// Whether an equation that must hold does so only by what `τ` adds to its size.
-    fn leans_on_tau(&mut self, problem: &dyn Problem, z: &[f64]) -> bool {
+    /// A variable that has grown far although no equation with it sees anything but its own terms.
+    fn lost_constants(&mut self, problem: &dyn Problem, z: &[f64]) -> Option<usize> {
+        let (shape, pattern) = (problem.shape(), problem.pattern());
+        let has_grown = |j: &usize| z[*j].abs() > GROWN * shape.start()[*j].abs().max(1.0);
+        let first = (0..z.len()).find(has_grown)?;
+        // Constants `F − J z`, and which equations they are asked of.
+        let (constant, bounds) = (&mut self.beside, shape.bounds());
+        constant.copy_from_slice(&self.f);
+        self.f_beside.fill(0.0);
+        for j in 0..z.len() {
+            for k in pattern.column(j) {
+                let i = pattern.row(k);
+                constant[i] -= self.jac[k] * z[j];
+                let must_hold =
+                    z[i] - bounds.lower()[i] > self.f[i] && z[i] - bounds.upper()[i] < self.f[i];
+                if must_hold && has_grown(&j) && self.jac[k] != 0.0 {
+                    self.f_beside[i] = 1.0;
+                }
+            }
+        }
+        let mut asked = (0..z.len()).filter(|&i| self.f_beside[i] > 0.0).peekable();
+        asked.peek()?;
+        let is_lost = |i: usize| constant[i].abs() <= 8.0 * f64::EPSILON * self.sizes.of_row[i];
+        asked.all(is_lost).then_some(first)
+    }
+
+    /// Whether an equation that must hold does so only by what `k` adds to its size.
+    fn leans_on_known(&mut self, problem: &dyn Problem, z: &[f64]) -> bool {
         let (own, bounds) = (&mut self.beside, problem.shape().bounds());
         own.fill(0.0);
         problem.pattern().add_sizes(&self.jac, |j| z[j].abs(), own);
@@ -297,13 +329,13 @@ impl Certifier {
         })
     }
 
-    /// Rows are no larger than with the slopes at `z ± 10⁻⁸ τ`; a slope that is not finite there on
+    /// Rows are no larger than with the slopes at `z ± 10⁻⁸ w`; a slope that is not finite there on
     /// either side counts as none.
     fn look_beside(&mut self, problem: &mut dyn Problem, z: &[f64]) {
         for sign in [1.0, -1.0] {
             let bounds = problem.shape().bounds();
             for j in 0..z.len() {
-                let step = BESIDE * (self.sizes.weight[j] - z[j].abs());
+                let step = BESIDE * self.sizes.weight[j];
                 let [first, second] = [z[j] + sign * step, z[j] - sign * step];
                 let fits = |x: f64| bounds.lower()[j] <= x && x <= bounds.upper()[j];
                 self.beside[j] = if fits(first) || !fits(second) { first } else { second };

@@ -282,7 +282,8 @@ impl PointCheck {
     }
 
     fn asymptotic(&self) -> WrongPoint {
-        let place = self.certificate.vanishing_row.or(self.certificate.diverging);
+        let Certificate { vanishing_row, diverging, constants_lost, .. } = self.certificate;
+        let place = vanishing_row.or(diverging).or(constants_lost);
         let i = place.unwrap_or(self.certificate.worst);
         WrongPoint::Asymptotic {
             residual: self.residual(),
