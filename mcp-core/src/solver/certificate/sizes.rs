@@ -33,8 +33,8 @@ impl Sizes {
         self.weigh(shape, pattern, z, jac);
     }
 
-    /// `k_j = max(|z_j|, 2⁻¹³ |z_j⁰|)`; for a start of 0 the size `min_i s_i / |J_ij|` stands for it, with
-    /// `s_i` over the variables that do not start there, and `2⁻⁷` if there are none.
+    /// `k_j = max(|z_j|, 2⁻¹³ |z_j⁰|)`; for a start of 0 a size `s_i / |J_ij|` stands for it, with `s_i` over
+    /// the variables that do not start there: of several the one nearest to 1, and `2⁻⁷` if there is none.
     fn know(&mut self, pattern: &Pattern, start: &[f64], z: &[f64], jac: &[f64]) {
         let floor = |j: usize| FLOOR * start[j].abs();
         for j in 0..z.len() {
@@ -46,18 +46,24 @@ impl Sizes {
         add_terms(pattern, jac, &self.known, &mut self.of_row);
         for j in 0..z.len() {
             if self.known[j] == 0.0 {
-                let size = FLOOR * self.least_ratio(pattern, jac, j);
-                self.known[j] =
-                    z[j].abs().max(if size < f64::INFINITY { size } else { ZERO_FLOOR });
+                let (least, most) = self.ratios(pattern, jac, j);
+                let floor =
+                    if least <= most { FLOOR * least.max(most.min(1.0)) } else { ZERO_FLOOR };
+                self.known[j] = z[j].abs().max(floor);
             }
         }
     }
 
-    /// `min_i s_i / |J_ij|` over the equations with a size: what of `z_j` matters in some equation.
-    fn least_ratio(&self, pattern: &Pattern, jac: &[f64], j: usize) -> f64 {
-        pattern.column(j).fold(f64::INFINITY, |least, k| {
+    /// The least and the largest `s_i / |J_ij|` over the equations with a size: changes of `z_j` that
+    /// matter in some equation, in all of them. In none, the least is larger.
+    fn ratios(&self, pattern: &Pattern, jac: &[f64], j: usize) -> (f64, f64) {
+        pattern.column(j).fold((f64::INFINITY, 0.0), |(least, most): (f64, f64), k| {
             let size = self.of_row[pattern.row(k)];
-            if counts(jac[k]) && size > 0.0 { least.min(size / jac[k].abs()) } else { least }
+            if !(counts(jac[k]) && size > 0.0) {
+                return (least, most);
+            }
+            let ratio = (size / jac[k].abs()).min(f64::MAX);
+            (least.min(ratio), most.max(ratio))
         })
     }
 
@@ -65,8 +71,8 @@ impl Sizes {
     fn weigh(&mut self, shape: &Shape, pattern: &Pattern, z: &[f64], jac: &[f64]) {
         let bounds = shape.bounds();
         for j in 0..z.len() {
-            let ratio = self.least_ratio(pattern, jac, j);
-            let own = self.known[j].max(if ratio < f64::INFINITY { ratio } else { 0.0 });
+            let (least, most) = self.ratios(pattern, jac, j);
+            let own = if least <= most { self.known[j].max(least) } else { self.known[j] };
             let width = bounds.upper()[j] - bounds.lower()[j];
             // Nothing can be resolved in a box of subnormal width.
             let is_box = width >= f64::MIN_POSITIVE;

@@ -23,7 +23,7 @@ const GROWN: [f64; 2] = [10.0, 100.0];
 const FAR: f64 = 1e4;
 /// Growth up to which terms are counted where a variable has grown beyond [`FAR`].
 const NEAR: f64 = 100.0;
-/// The same where the matrix is singular there: up to the start.
+/// The same where the matrix is singular.
 const AT_START: f64 = 1.0;
 /// Relative Newton step of a point that still moves.
 const MOVING: f64 = 0.1;
@@ -161,8 +161,9 @@ impl Search<'_, '_> {
         certificate.verdict(run.options.tol, run.options.tol_relative)
     }
 
-    /// Whether a variable has grown far and Newton's method would move it on: the residual then
-    /// vanishes only at infinity, as that of a KKT system without multipliers.
+    /// Whether a variable has grown far and Newton's method would move it on, or equations contradict
+    /// each other but for terms that have grown: the residual then vanishes only at infinity, as that of a
+    /// KKT system without multipliers.
     fn still_moves(&mut self, e: f64) -> bool {
         let limit = GROWN[usize::from(e <= SHARP)];
         let Search { run, memory } = self;
@@ -172,7 +173,7 @@ impl Search<'_, '_> {
         if self.is_far_from_solved() {
             return true;
         }
-        if !(growth > limit) || !self.jacobian() {
+        if growth <= limit && e <= SHARP || !self.jacobian() {
             return false;
         }
         // In scales of its own, a matrix that is nearly singular is one in all units.
@@ -197,22 +198,29 @@ impl Search<'_, '_> {
             && self.near_residual(NEAR) > self.run.options.tol_relative
     }
 
-    /// The relative residual at the point last judged, with terms no larger than where variables
-    /// have grown by the factor `near`. Along a null vector of `J` terms grow and `F` stays what it was: small
-    /// relative to its terms, and no smaller than at the start.
+    /// The relative residual at the point last judged, with terms no larger than where no variable has
+    /// grown by more than the factor `near`. Along a null curve of `F` terms grow and `F` stays what it was:
+    /// small relative to its terms, and no smaller than at the start.
     fn near_residual(&mut self, near: f64) -> f64 {
         let Search { run, memory } = self;
-        let (z, f, jac) = (&memory.model_z, run.work.certifier.f(), run.work.certifier.jac());
-        let own = |j: usize| match memory.start[j].abs() {
-            0.0 => memory.unit[j],
-            start => start,
-        };
-        for j in 0..z.len() {
-            memory.weight[j] = z[j].abs().min(near * own(j)) + own(j);
+        let jac = run.work.certifier.spare();
+        for j in 0..memory.weight.len() {
+            let own = memory.own(j);
+            memory.slope[j] = memory.model_z[j].clamp(-near * own, near * own);
+            memory.weight[j] = memory.slope[j].abs() + own;
+        }
+        run.problem.shape().bounds().project(&mut memory.slope);
+        for z in [&memory.slope, &memory.model_z] {
+            run.stats.jacobian_evaluations += 1;
+            run.problem.evaluate(z, None, Some(jac));
+            if jac.iter().all(|entry| entry.is_finite()) {
+                break;
+            }
         }
         memory.size.fill(0.0);
         run.problem.pattern().add_sizes(jac, |j| memory.weight[j], &mut memory.size);
-        let bounds = run.problem.shape().bounds();
+        let (z, f, bounds) =
+            (&memory.model_z, run.work.certifier.f(), run.problem.shape().bounds());
         (0..z.len()).fold(0.0, |worst: f64, i| {
             let w = memory.weight[i];
             let (above, below) = ((z[i] - bounds.lower()[i]) / w, (z[i] - bounds.upper()[i]) / w);
@@ -223,6 +231,14 @@ impl Search<'_, '_> {
 }
 
 impl Memory {
+    /// The size of a variable at the start, or the unit of the first scales where it starts at 0.
+    fn own(&self, j: usize) -> f64 {
+        match self.start[j].abs() {
+            0.0 => self.unit[j],
+            start => start,
+        }
+    }
+
     /// `|z_j|` in `model_z`, relative to the start or to the unit of the first scales.
     fn growth(&self, j: usize) -> f64 {
         self.model_z[j].abs() / self.start[j].abs().max(self.unit[j])
