@@ -10,6 +10,8 @@ mod economy;
 mod by_hand;
 #[path = "economy/closed_forms.rs"]
 mod closed_forms;
+#[path = "economy/every_set.rs"]
+mod every_set;
 #[path = "economy/faults.rs"]
 mod faults;
 #[path = "economy/laws.rs"]

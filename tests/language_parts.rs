@@ -6,5 +6,11 @@
 mod economy;
 #[path = "language/parts.rs"]
 mod parts;
+#[path = "language/parts_beside.rs"]
+mod parts_beside;
+#[path = "language/parts_changes.rs"]
+mod parts_changes;
+#[path = "language/parts_rows.rs"]
+mod parts_rows;
 #[path = "language/twins.rs"]
 mod twins;

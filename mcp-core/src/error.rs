@@ -48,7 +48,7 @@ pub enum ModelError {
         /// The other.
         other: String,
     },
-    /// Something is read of a part of a model that is off.
+    /// A name of a part of a model that is off is read or changed.
     #[error("`{name}` exists only with the part `{part}`, which is off")]
     PartOff {
         /// The family.
@@ -65,6 +65,17 @@ pub enum ModelError {
         first: Option<String>,
         /// The part that fixes it again.
         second: Option<String>,
+    },
+    /// A part fixes a variable that was fixed by name before the part was switched on.
+    #[error(
+        "`{variable}` was fixed by name, and the part `{part}` fixes it: fix it by name after the part is \
+         on, or not at all"
+    )]
+    FixedByName {
+        /// The variable.
+        variable: String,
+        /// The part.
+        part: String,
     },
     /// A family has more than 2³¹ elements.
     #[error("`{name}` has more than 2^31 elements")]

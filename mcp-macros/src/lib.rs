@@ -127,9 +127,11 @@ pub fn mcp_fn(arguments: TokenStream, item: TokenStream) -> TokenStream {
 /// # Parts
 ///
 /// A `part` holds any items but a further part. Where it is off, its variables, equations,
-/// definitions, parameters and reports do not exist: no name, no unknown, no operation, and nothing is
-/// tested while rows are computed. `part emission_cap` makes a type `EmissionCap`, whose fields are
-/// the data of the part and its parameters without value;
+/// definitions, parameters and reports do not exist: no name, no unknown, no operation. What is added
+/// to a row is resolved when the model is made: a family to which no part that is on adds is computed
+/// as without parts, and in another one each row runs over its own terms; whether a part is on is not
+/// asked again. `part emission_cap` makes a type `EmissionCap`, whose fields are the data of the part
+/// and its parameters without value;
 /// `model.with(EmissionCap { limit: 3.0, ef: [("coal", 1.0)] })?` gives the model with it, and
 /// `model.with((tax, cap))?` with several, in any order. **A rate is a `param`; use a part when
 /// unknowns come or go.**
@@ -137,15 +139,22 @@ pub fn mcp_fn(arguments: TokenStream, item: TokenStream) -> TokenStream {
 /// * `adds profit[i]: term` adds to `F` of an equation, or to the value of a definition, of the model,
 ///   of the part itself, or of a part that it requires. Terms of several parts are added in the order
 ///   of the text, so that the order of switching on changes no bit. Where the target has no row,
-///   nothing is added. `adds mc[g in thermal]: …` reaches a subset, `adds endow[labor]: …` a label.
+///   nothing is added; that it has none of those named is an error of `with`. `adds mc[g in thermal]: …`
+///   reaches a subset, `adds endow[labor]: …` a label.
 /// * `requires a, b` and `excludes c` are checked by `with`. A part reads the model, itself and what
 ///   it requires, directly or through others; the model reads no part.
 /// * An equation and its variable belong to the same part. `fix` may hold a variable of the model;
-///   two parts cannot fix the same element.
-/// * Names are unique in the whole model. In the view, a value without indices is an `Option`, `None`
-///   where the part is off, and other families have no element.
-/// * Bounds, starts and parameters that were changed by name before `with` stay changed, except bounds
-///   that a part fixes.
+///   two parts cannot fix the same element, nor a part what was fixed by name before.
+/// * Names are unique in the whole model; one of a part that is off is answered with its part. In the
+///   view, a value without indices is an `Option`, `None` where the part is off, and other families
+///   have no element.
+/// * Bounds, starts and parameters that were changed by name before `with` stay changed. A variable
+///   that a part fixes has the bounds of the part and starts there, whatever was changed; the model
+///   without the part still has what was changed. Lifted definitions start where they hold with the
+///   changed starts and parameters, unless their own start was changed.
+/// * The types of the parts stand in a module, `EconomyParts` for `model Economy`, and beside the model
+///   by `use EconomyParts::*`. Where models of one module have parts of the same name, that name alone
+///   is ambiguous: write `EconomyParts::Tax`, or give each model a module of its own.
 ///
 /// # What is generated
 ///
@@ -158,7 +167,8 @@ pub fn mcp_fn(arguments: TokenStream, item: TokenStream) -> TokenStream {
 /// * `TransportView`, one field for each variable, definition, parameter and report:
 ///   `view.x[("seattle", "topeka")]`;
 /// * `TransportSets`, the types of the indices;
-/// * for each part its type, and `with` and `parts()`, the names of the parts that are on.
+/// * `TransportParts`, with a type for each part, and `with` and `parts()`, the names of the parts that
+///   are on.
 ///
 /// With `MCP_MACRO_DEBUG=Transport` in the environment of the compiler, the expansion is printed.
 #[proc_macro]

@@ -10,38 +10,40 @@ use mcp_core::{
 };
 
 /// First variable of each family of the base; those of an effect follow.
-mod variable {
-    pub(super) const Y: usize = 0;
-    pub(super) const P: usize = 3;
-    pub(super) const W: usize = 6;
-    pub(super) const M: usize = 7;
-    pub(super) const X: usize = 9;
-    pub(super) const E: usize = 11;
-    pub(super) const INCOME: usize = 12;
-    pub(super) const OF_EFFECT: usize = 14;
+pub(crate) mod variable {
+    pub(crate) const Y: usize = 0;
+    pub(crate) const P: usize = 3;
+    pub(crate) const W: usize = 6;
+    pub(crate) const M: usize = 7;
+    pub(crate) const X: usize = 9;
+    pub(crate) const E: usize = 11;
+    pub(crate) const INCOME: usize = 12;
+    pub(crate) const OF_EFFECT: usize = 14;
 }
 
 /// First definition of each family of the base.
-mod definition {
-    pub(super) const COST: usize = 0;
-    pub(super) const LANDED: usize = 3;
-    pub(super) const MEANS: usize = 5;
-    pub(super) const PAID: usize = 7;
-    pub(super) const DEMAND: usize = 13;
-    pub(super) const OF_EFFECT: usize = 19;
+pub(crate) mod definition {
+    pub(crate) const COST: usize = 0;
+    pub(crate) const LANDED: usize = 3;
+    pub(crate) const MEANS: usize = 5;
+    pub(crate) const PAID: usize = 7;
+    pub(crate) const DEMAND: usize = 13;
+    pub(crate) const OF_EFFECT: usize = 19;
 }
 
 use variable::{E, INCOME, M, P, W, X, Y};
 
 /// Families of definitions and of equations to which an effect adds, and those that it brings.
-const LANDED: usize = 1;
-const PAID: usize = 3;
-const DEFINITION_OF_EFFECT: usize = 5;
-const PROFIT: usize = 0;
-const BUDGET: usize = 5;
-const EQUATION_OF_EFFECT: usize = 7;
+pub(crate) const COST: usize = 0;
+pub(crate) const LANDED: usize = 1;
+pub(crate) const MEANS: usize = 2;
+pub(crate) const PAID: usize = 3;
+pub(crate) const DEFINITION_OF_EFFECT: usize = 5;
+pub(crate) const PROFIT: usize = 0;
+pub(crate) const BUDGET: usize = 5;
+pub(crate) const EQUATION_OF_EFFECT: usize = 7;
 
-fn base_shape() -> ShapeBuilder {
+pub(crate) fn base_shape() -> ShapeBuilder {
     let [households, sectors, traded] = [
         Set::new("households", HOUSEHOLDS).unwrap(),
         Set::new("sectors", SECTORS).unwrap(),
@@ -70,11 +72,11 @@ fn base_shape() -> ShapeBuilder {
         .equation(Equation::new("balance").complements("e"))
 }
 
-fn base_def<D: Scalar>(family: usize, k: usize, read: &Reader<'_, D>) -> Real<D> {
+pub(crate) fn base_def<D: Scalar>(family: usize, k: usize, read: &Reader<'_, D>) -> Real<D> {
     match family {
-        0 => HOURS[k] * read.var(W),
+        COST => HOURS[k] * read.var(W),
         LANDED => CIF[k] * read.var(E),
-        2 => read.var(INCOME + k),
+        MEANS => read.var(INCOME + k),
         PAID => read.var(P + k % 3),
         _ => {
             SHARE[k / 3][k % 3] * read.def(definition::MEANS + k / 3)
@@ -83,7 +85,7 @@ fn base_def<D: Scalar>(family: usize, k: usize, read: &Reader<'_, D>) -> Real<D>
     }
 }
 
-fn base_row<D: Scalar>(family: usize, k: usize, read: &Reader<'_, D>) -> Real<D> {
+pub(crate) fn base_row<D: Scalar>(family: usize, k: usize, read: &Reader<'_, D>) -> Real<D> {
     let demand = |s: usize| sum(0..2, |h| read.def(definition::DEMAND + 3 * h + s));
     match family {
         PROFIT => read.def(definition::COST + k) - read.var(P + k),

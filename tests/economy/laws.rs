@@ -20,7 +20,7 @@ fn the_parts_that_are_on_are_those_that_the_file_names() {
 }
 
 /// All sets of effects.
-fn sets() -> impl Iterator<Item = Vec<Effect>> {
+pub(crate) fn sets() -> impl Iterator<Item = Vec<Effect>> {
     let is_on = |set: u32, k: usize| set >> k & 1 == 1;
     (0..1 << sample::all().len()).map(move |set| {
         let effects = sample::all().into_iter().enumerate();

@@ -106,8 +106,9 @@ impl Assembly {
         make(&mut self.0).map_err(|error| self.0.error = Some(error)).ok()
     }
 
-    /// The number of the next family of a kind.
-    fn entry(&mut self, of: Entered) -> usize {
+    /// The number of the next family of a kind, called `name`.
+    fn entry(&mut self, of: Entered, name: &str) -> usize {
+        self.0.switches.meet(name);
         let entry = &mut self.0.entries[of as usize];
         *entry += 1;
         *entry - 1
@@ -141,6 +142,7 @@ impl Assembly {
         values: Option<Each<'_>>,
     ) -> &mut Self {
         let [name, about, unit] = *text;
+        self.0.switches.meet(name);
         self.make(|pieces| {
             let mut made = Made::EMPTY;
             let kept: Option<Vec<f64>> = pieces.given.take(field);
@@ -169,7 +171,7 @@ impl Assembly {
         condition: Option<Condition<'_>>,
     ) -> &mut Self {
         let [name, about, unit] = *text;
-        let entry = self.entry(Entered::Variable);
+        let entry = self.entry(Entered::Variable, name);
         self.make(|pieces| {
             let layout = Layout::new(name, sets)?;
             let mut family = Variable::new(name).entered(entry).about(about).unit(unit).over(sets);
@@ -224,7 +226,7 @@ impl Assembly {
     /// Lays a definition family out and declares it.
     pub fn definition(&mut self, text: Text<'_>, sets: &[&Set]) -> &mut Self {
         let [name, about, unit] = *text;
-        let entry = self.entry(Entered::Definition);
+        let entry = self.entry(Entered::Definition, name);
         self.make(|pieces| {
             let mut layout = Layout::new(name, sets)?;
             layout.offset = pieces.definitions;
@@ -238,7 +240,7 @@ impl Assembly {
     /// Lays a report family out and declares it.
     pub fn report(&mut self, text: Text<'_>, sets: &[&Set]) -> &mut Self {
         let [name, about, unit] = *text;
-        let entry = self.entry(Entered::Report);
+        let entry = self.entry(Entered::Report, name);
         self.make(|pieces| {
             let family = Definition::new(name).entered(entry).about(about).unit(unit).over(sets);
             pieces.shape = take(&mut pieces.shape).report(family);
@@ -255,7 +257,7 @@ impl Assembly {
         variable: &str,
         paired: &dyn PerElement<Option<usize>>,
     ) -> &mut Self {
-        let entry = self.entry(Entered::Equation);
+        let entry = self.entry(Entered::Equation, text[0]);
         self.make(|pieces| {
             let layout = Layout::new(text[0], sets)?;
             let place = |combination| paired.value(&layout.split(combination));
@@ -272,7 +274,7 @@ impl Assembly {
         variable: &str,
         like: Option<&Sparse>,
     ) -> &mut Self {
-        let entry = self.entry(Entered::Equation);
+        let entry = self.entry(Entered::Equation, text[0]);
         self.make(|pieces| {
             let layout = Layout::new(text[0], sets)?;
             let place =
@@ -284,7 +286,7 @@ impl Assembly {
     /// The equation family of a lifted definition.
     pub fn lifted(&mut self, text: Text<'_>, sets: &[&Set], variable: &str) -> &mut Self {
         let [name, about, unit] = *text;
-        let entry = self.entry(Entered::Equation);
+        let entry = self.entry(Entered::Equation, name);
         self.make(|pieces| {
             let family = Equation::new(name).entered(entry).about(about).unit(unit).over(sets);
             pieces.shape = take(&mut pieces.shape).equation(family.complements(variable));
@@ -314,14 +316,14 @@ impl Pieces {
             Some((family, _)) => family.element_name(place),
             None => name.to_owned(),
         };
-        self.switches.fixes(place, element)?;
+        let first = self.family.as_ref().map_or(0, |(_, elements)| elements.layout.offset);
+        self.switches.fixes(first + place, element)?;
         self.values.fix(place, value);
         Ok(())
     }
 
     /// Declares the variable family at hand, if there is one.
     fn declare(&mut self) {
-        self.switches.next_variable();
         if let Some((family, _)) = self.family.take() {
             let FamilyValues { lower, upper, start } = take(&mut self.values);
             let family = family.lower(lower).upper(upper).start(start);

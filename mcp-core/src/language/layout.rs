@@ -44,16 +44,6 @@ pub struct Filled {
     values: Vec<f64>,
 }
 
-/// The rows of a family to which a part adds terms.
-#[derive(Clone, Debug)]
-pub struct Added {
-    /// The combinations of the sets that the part runs over.
-    layout: Layout,
-    /// The combination for each row, [`ABSENT`] where nothing is added; nothing if all rows are the
-    /// combinations in order.
-    combinations: Vec<u32>,
-}
-
 /// What [`Assembly`](super::Assembly) makes of a family: its elements, and data with their values.
 #[derive(Clone, Debug)]
 pub struct Made {
@@ -210,39 +200,6 @@ impl Elements for Sparse {
     #[inline]
     fn variable<D: Scalar>(&self, read: &Reader<'_, D>, dense: usize) -> Real<D> {
         self.variable_apart(read, dense)
-    }
-}
-
-impl Added {
-    /// To no row.
-    pub const EMPTY: Self = Added { layout: Layout::EMPTY, combinations: Vec::new() };
-
-    /// Adds to the row `found[k]`, of `rows`, for combination `k`.
-    pub(super) fn new(layout: Layout, rows: usize, found: &[Option<usize>]) -> Self {
-        let mut combinations = Vec::new();
-        if rows != found.len() || (0..rows).any(|row| found[row] != Some(row)) {
-            combinations = vec![ABSENT; rows];
-            for (combination, row) in found.iter().enumerate() {
-                if let &Some(row) = row {
-                    combinations[row] = narrow(combination);
-                }
-            }
-        }
-        Added { layout, combinations }
-    }
-
-    /// The combination for which something is added to a row.
-    #[inline]
-    pub fn to(&self, row: usize) -> Option<usize> {
-        if self.combinations.is_empty() {
-            return Some(row);
-        }
-        Some(self.combinations[row]).filter(|&k| k != ABSENT).map(|k| k as usize)
-    }
-
-    /// The positions of a combination's indices in their sets.
-    pub fn split(&self, combination: usize) -> At {
-        self.layout.split(combination)
     }
 }
 

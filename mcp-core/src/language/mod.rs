@@ -16,6 +16,7 @@
 //! | `var x[…]`, `def c[…]` | [`Variables`], [`Definitions`] | `x[i, j]`, `x.at(t - 1).or(x0)` |
 //! | `part cap { … }` | a type `Cap` beside the model, with the data of the part | `model.with(Cap { … })`: [`PartsOf`] |
 
+mod additions;
 mod assemble;
 mod expression;
 mod families;
@@ -24,6 +25,7 @@ pub mod input;
 mod instances;
 mod ix;
 mod layout;
+mod lifted;
 mod pairs;
 mod parts;
 mod resolve;
@@ -34,6 +36,8 @@ mod values;
 mod view;
 
 #[doc(hidden)]
+pub use additions::Term;
+#[doc(hidden)]
 pub use assemble::{Assembly, Condition, Each, PerElement, Text};
 #[doc(hidden)]
 pub use expression::{Expression, expression};
@@ -43,7 +47,9 @@ pub use given::Input;
 pub use input::{DataError, LabelMap, LabelPairs, LabelSubset, Labels, Table};
 pub use ix::{Domain, Element, Ix, Listed, Maybe, Near, OrderedDomain, Place, Shifted};
 #[doc(hidden)]
-pub use layout::{Added, At, Elements, Family, Filled, Layout, Made, Sparse};
+pub use layout::{At, Elements, Family, Filled, Layout, Made, Sparse};
+#[doc(hidden)]
+pub use lifted::{LiftedStart, start_of_lifted};
 pub use pairs::{Map, Pairs};
 pub use parts::PartsOf;
 #[doc(hidden)]
@@ -55,4 +61,4 @@ pub use sets::{IndexSet, Indices, Members, Subset};
 pub use values::Side;
 pub use view::{Key, Levels, VariableLevels};
 #[doc(hidden)]
-pub use view::{Numbers, ViewedTable, start_of_lifted, viewed, viewed_with_parts};
+pub use view::{Numbers, ViewedTable, viewed, viewed_with_parts};

@@ -1,11 +1,14 @@
 //! Parts of a model: variables, equations and terms that exist only where they are switched on.
 
-use super::assemble::{Assembly, PerElement};
-use super::input::DataError;
-use super::layout::{Added, Elements, Filled, Layout};
+use super::additions::{Additions, Found, Term};
+use super::assemble::Assembly;
+use super::layout::Filled;
+use super::lifted::{LiftedStart, start_beside};
 use crate::error::ModelError;
-use crate::model::{Set, Shape};
+use crate::model::{Part, Shape};
+use crate::problem::PlainModel;
 use std::collections::HashMap;
+use std::mem::{replace, take};
 
 /// What can be switched on in the model `M`: one of its parts with its data, a tuple of such, in any
 /// order, or an [`Option`], where `None` is a part that stays off.
@@ -87,56 +90,39 @@ pub struct PartText {
     pub excludes: &'static [usize],
 }
 
-/// All parts of a model, and which are on.
+/// The parts of a model; which are on is known to its [`Shape`].
 #[doc(hidden)]
 #[derive(Clone, Debug)]
 pub struct Parts {
     texts: &'static [PartText],
-    on: Vec<bool>,
-    /// For each family that several parts add terms to, the additions that are on, in the order of
-    /// the text.
-    added: Vec<Vec<usize>>,
+    /// What is added to each family that the text adds to.
+    additions: Vec<Additions>,
     /// The shape before anything was changed by name.
     built: Shape,
+    /// Variables whose start was changed by name.
+    started: Vec<usize>,
 }
 
 impl Parts {
     /// All off.
     pub fn off(texts: &'static [PartText]) -> Self {
-        let on = vec![false; texts.len()];
-        Parts { texts, on, added: Vec::new(), built: Shape::default() }
+        Parts { texts, additions: Vec::new(), built: Shape::default(), started: Vec::new() }
     }
 
-    /// Whether a part is on.
-    pub fn is_on(&self, part: usize) -> bool {
-        self.on[part]
-    }
-
-    /// The name of a part.
-    pub(super) fn name(&self, part: usize) -> &'static str {
-        self.texts[part].name
-    }
-
-    /// The names of the parts that are on, in the order of the text.
-    pub fn names(&self) -> Vec<&'static str> {
-        let on = self.texts.iter().zip(&self.on).filter(|(_, on)| **on);
-        on.map(|(text, _)| text.name).collect()
-    }
-
-    /// What is added to a family that several parts add to.
+    /// The terms that are added to a row of a family that the text adds to.
     #[inline]
-    pub fn added(&self, target: usize) -> &[usize] {
-        &self.added[target]
+    pub fn added(&self, target: usize, row: usize) -> &[Term] {
+        self.additions[target].of(row)
     }
 
-    /// These parts are switched on beside those that are on.
+    /// These parts are switched on beside those that are on in the model of this shape.
     ///
     /// # Errors
     /// [`ModelError::PartTwice`], [`ModelError::PartRequired`], [`ModelError::PartExcluded`].
-    pub fn with<M>(&self, parts: impl PartsOf<M>) -> Result<Assembly, ModelError> {
+    pub fn with<M>(&self, shape: &Shape, parts: impl PartsOf<M>) -> Result<Assembly, ModelError> {
         let mut assembly = Assembly::default();
-        let (texts, before) = (self.texts, self.on.clone());
-        assembly.0.switches = Switches { texts, before, ..Switches::default() };
+        let before = shape.all_parts().iter().map(|part| part.is_on).collect();
+        assembly.0.switches = Switches { texts: self.texts, before, ..Switches::default() };
         parts.give(&mut assembly);
         self.check(&mut assembly)?;
         Ok(assembly)
@@ -160,27 +146,50 @@ impl Parts {
         Ok(())
     }
 
-    /// The model is put together.
+    /// The model is put together, with what was changed by name in `before`.
     ///
     /// # Errors
     /// As [`Assembly::finish`], and those of a change by name that the parts do not admit.
-    pub fn finish(&mut self, assembly: &mut Assembly, shape: &mut Shape) -> Result<(), ModelError> {
-        let Switches { new, added, .. } = std::mem::take(&mut assembly.0.switches);
+    pub fn finish(
+        &mut self,
+        assembly: &mut Assembly,
+        before: &Shape,
+        shape: &mut Shape,
+    ) -> Result<(), ModelError> {
+        assembly.so_far()?;
+        let switches = take(&mut assembly.0.switches);
+        assembly.0.shape = take(&mut assembly.0.shape).parts(switches.parts(self.texts));
         assembly.finish(shape)?;
-        for part in new {
-            self.on[part] = true;
-        }
-        self.added = added;
+        self.additions = switches.found.iter().map(Found::additions).collect();
+        let built = replace(&mut self.built, shape.clone());
+        let fixed = switches.fixed.iter().filter_map(|(&variable, &part)| {
+            let part = part.filter(|part| switches.new.contains(part))?;
+            Some((variable, self.texts[part].name))
+        });
+        self.started = shape.take_changes(&built, before, &fixed.collect())?;
         Ok(())
     }
 
-    /// Remembers the shape as it was built, and takes over what was changed by name in `before`.
+    /// A start at which lifted definitions hold, but for those whose start was changed by name.
+    pub fn start_of_lifted(
+        &self,
+        model: &dyn PlainModel,
+        lifted: &[(usize, usize)],
+    ) -> LiftedStart {
+        start_beside(model, lifted, &self.started)
+    }
+
+    /// Lifted definitions start there; only another start is a change by name.
     ///
     /// # Errors
-    /// As [`Shape::set_bounds`].
-    pub fn keep_changes(&mut self, before: &Shape, shape: &mut Shape) -> Result<(), ModelError> {
-        let built = std::mem::replace(&mut self.built, shape.clone());
-        shape.take_changes(&built, before)
+    /// As [`Shape::set_start`].
+    pub fn start_at(&mut self, lifted: &LiftedStart, shape: &mut Shape) -> Result<(), ModelError> {
+        let mut built = self.built.start().to_vec();
+        for &(j, value) in &lifted.values {
+            built[j] = value;
+        }
+        self.built.set_start(&built)?;
+        shape.set_start(&lifted.start)
     }
 }
 
@@ -195,9 +204,11 @@ pub(super) struct Switches {
     new: Vec<usize>,
     /// The part at hand.
     part: Option<usize>,
-    /// [`Parts::added`].
-    added: Vec<Vec<usize>>,
-    /// Elements of the variable family at hand that are fixed, with the part that does.
+    /// Names of families of parts that are off, with their parts.
+    absent: Vec<(usize, String)>,
+    /// What is added to each family that the text adds to.
+    found: Vec<Found>,
+    /// Variables that are fixed, with the part that does.
     fixed: HashMap<usize, Option<usize>>,
 }
 
@@ -212,33 +223,59 @@ impl Switches {
     }
 
     fn name(&self, part: Option<usize>) -> Option<String> {
-        Some(self.texts[part?].name.to_owned())
+        Some(self.texts.get(part?)?.name.to_owned())
     }
 
-    /// Another variable family is at hand.
-    pub(super) fn next_variable(&mut self) {
-        self.fixed.clear();
+    /// The name of the part at hand.
+    pub(super) fn at_hand(&self) -> String {
+        self.name(self.part).unwrap_or_default()
     }
 
-    /// The part at hand fixes an element of the variable family at hand.
+    /// A family of the part at hand: where it is off, its name is all that is known.
+    pub(super) fn meet(&mut self, family: &str) {
+        if let Some(part) = self.part.filter(|&part| !self.is_on(part)) {
+            self.absent.push((part, family.to_owned()));
+        }
+    }
+
+    /// The parts as the shape knows them.
+    fn parts(&self, texts: &'static [PartText]) -> Vec<Part> {
+        let part = |(k, text): (usize, &PartText)| {
+            let absent = self.absent.iter().filter(|(part, _)| *part == k);
+            let absent = absent.map(|(_, name)| name.clone()).collect();
+            Part { name: text.name, is_on: self.is_on(k), absent }
+        };
+        texts.iter().enumerate().map(part).collect()
+    }
+
+    /// The part at hand fixes a variable.
     ///
     /// # Errors
     /// [`ModelError::FixedTwice`] if another part does, or the model without parts.
     pub(super) fn fixes(
         &mut self,
-        place: usize,
-        element: impl FnOnce() -> String,
+        variable: usize,
+        name: impl FnOnce() -> String,
     ) -> Result<(), ModelError> {
         if self.texts.is_empty() {
             return Ok(());
         }
-        match self.fixed.insert(place, self.part) {
+        match self.fixed.insert(variable, self.part) {
             Some(first) if first != self.part => {
                 let [first, second] = [self.name(first), self.name(self.part)];
-                Err(ModelError::FixedTwice { variable: element(), first, second })
+                Err(ModelError::FixedTwice { variable: name(), first, second })
             }
             _ => Ok(()),
         }
+    }
+
+    /// The part at hand adds to a family of `rows` rows: the number of the addition, and the row of
+    /// every combination.
+    pub(super) fn adds(&mut self, target: usize, rows: usize, addition: (u32, Vec<Option<usize>>)) {
+        if self.found.len() <= target {
+            self.found.resize_with(target + 1, Found::default);
+        }
+        self.found[target].push(rows, addition);
     }
 }
 
@@ -273,39 +310,6 @@ impl Assembly {
     pub fn keep(&mut self, field: usize, values: &Filled) {
         if !values.values().is_empty() {
             self.give(field, values.values().to_vec());
-        }
-    }
-
-    /// Finds the rows of the family `target` to which a part adds terms: one for each combination of
-    /// `sets` that has one; without `sets` it must exist. `entry` computes the target of `rows` rows
-    /// with what is added.
-    pub fn addition(
-        &mut self,
-        (target, rows, entry): (&str, usize, usize),
-        sets: &[&Set],
-        row: &dyn PerElement<Option<usize>>,
-    ) -> Added {
-        let added = self.attempt(|pieces| {
-            let layout = Layout::new(target, sets)?;
-            let row = |combination| row.value(&layout.split(combination));
-            let found: Vec<Option<usize>> = (0..layout.count).map(row).collect();
-            if sets.is_empty() && found == [None] {
-                return Err(DataError::AddedToAbsent { name: target.to_owned() }.into());
-            }
-            pieces.shape.enter(target, entry);
-            Ok(Added::new(layout, rows, &found))
-        });
-        added.unwrap_or(Added::EMPTY)
-    }
-
-    /// Notes, of the additions to the family number `target`, that `addition` is on if its part is.
-    pub fn adds(&mut self, target: usize, addition: usize) {
-        let switches = &mut self.0.switches;
-        if switches.added.len() <= target {
-            switches.added.resize(target + 1, Vec::new());
-        }
-        if !switches.is_off() {
-            switches.added[target].push(addition);
         }
     }
 }

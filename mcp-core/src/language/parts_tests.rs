@@ -1,6 +1,7 @@
 use super::super::input::Table;
 use super::super::layout::{At, Elements, Sparse};
 use super::*;
+use crate::model::Set;
 
 static TEXTS: &[PartText] = &[
     PartText { name: "contact", requires: &[], excludes: &[] },
@@ -37,11 +38,11 @@ fn built(mut assembly: Assembly, fixing: &[Option<usize>]) -> Result<Shape, Mode
 #[test]
 fn parts_are_on_in_the_order_of_the_text_whatever_the_order_of_the_caller() {
     for order in [(Place(1), Place(0)), (Place(0), Place(1))] {
-        let mut parts = Parts::off(TEXTS);
-        let mut assembly = parts.with(order).unwrap();
-        parts.finish(&mut assembly, &mut Shape::default()).unwrap();
-        assert_eq!(parts.names(), ["contact", "friction"]);
-        let again = parts.with(Place(0)).unwrap_err();
+        let (mut parts, before) = (Parts::off(TEXTS), Shape::default());
+        let (mut assembly, mut shape) = (parts.with(&before, order).unwrap(), Shape::default());
+        parts.finish(&mut assembly, &before, &mut shape).unwrap();
+        assert_eq!(shape.parts(), ["contact", "friction"]);
+        let again = parts.with(&shape, Place(0)).unwrap_err();
         assert_eq!(again, ModelError::PartTwice { part: "contact".to_owned() });
     }
 }
@@ -49,22 +50,23 @@ fn parts_are_on_in_the_order_of_the_text_whatever_the_order_of_the_caller() {
 #[test]
 fn parts_that_do_not_fit_together_are_named() {
     let message = |error: Result<Assembly, ModelError>| error.unwrap_err().to_string();
-    let parts = Parts::off(TEXTS);
+    let (parts, base) = (Parts::off(TEXTS), Shape::default());
     assert_eq!(
-        message(parts.with(Some(Place(1)))),
+        message(parts.with(&base, Some(Place(1)))),
         "the part `friction` requires `contact`: switch both on, in one tuple"
     );
     assert_eq!(
-        message(parts.with((Place(2), Place(1), Place(0)))),
+        message(parts.with(&base, (Place(2), Place(1), Place(0)))),
         "the parts `friction` and `joint` exclude each other: switch one of them on"
     );
-    assert!(parts.with((None::<Place>, ())).is_ok());
+    assert!(parts.with(&base, (None::<Place>, ())).is_ok());
 }
 
 #[test]
 fn an_element_is_fixed_by_one_part_only() {
     let with = |fixing: &[Option<usize>]| {
-        built(Parts::off(TEXTS).with((Place(0), Place(1))).unwrap(), fixing)
+        let parts = Parts::off(TEXTS);
+        built(parts.with(&Shape::default(), (Place(0), Place(1))).unwrap(), fixing)
     };
     let twice = |error: Result<Shape, ModelError>| error.unwrap_err().to_string();
     assert_eq!(with(&[Some(1), Some(1)]).unwrap().bounds().upper()[0], 1.0);
@@ -76,31 +78,12 @@ fn an_element_is_fixed_by_one_part_only() {
         twice(with(&[Some(0), Some(1)])),
         "`x[1]` is fixed twice, by the part `contact` and by the part `friction`"
     );
+    assert_eq!(
+        twice(with(&[Some(1), Some(0), None])),
+        "`x[1]` is fixed twice, by the part `friction` and by the part `contact`"
+    );
     // The part `joint` is off.
     assert!(with(&[Some(0), Some(2)]).is_ok());
-}
-
-#[test]
-fn an_addition_reaches_the_rows_that_it_is_for() {
-    let layout = |length| Layout::new("x", &[&Set::count("s", length)]).unwrap();
-    let all = Added::new(layout(3), 3, &[Some(0), Some(1), Some(2)]);
-    assert_eq!([0, 1, 2].map(|row| all.to(row)), [Some(0), Some(1), Some(2)]);
-    let some = Added::new(layout(3), 4, &[Some(3), None, Some(0)]);
-    assert_eq!([0, 1, 2, 3].map(|row| some.to(row)), [Some(2), None, None, Some(0)]);
-    let first = Added::new(layout(1), 2, &[Some(0)]);
-    assert_eq!([0, 1].map(|row| first.to(row)), [Some(0), None]);
-}
-
-#[test]
-fn an_addition_to_a_single_row_that_does_not_exist_is_an_error() {
-    let mut assembly = Assembly::default();
-    let added = assembly.addition(("market", 0, 1), &[], &|_: &At| None);
-    assert_eq!(added.split(0), [0; 6]);
-    let error = assembly.finish(&mut Shape::default()).unwrap_err();
-    assert_eq!(
-        error.to_string(),
-        "`adds market` names a row that does not exist: its condition does not hold"
-    );
 }
 
 #[test]

@@ -1,9 +1,8 @@
 //! [`Levels`]: the numbers of a solution, read by the labels of the model's sets.
 
-use super::parts::Parts;
 use crate::error::ModelError;
-use crate::model::{Family, Reader, Set};
-use crate::problem::{Derived, PlainModel, constants, plain_definitions};
+use crate::model::{Family, Set};
+use crate::problem::{Derived, PlainModel};
 use crate::solver::Solution;
 use std::array::from_fn;
 use std::ops::{Deref, Index};
@@ -218,9 +217,10 @@ pub fn viewed_with_parts<const N: usize>(
     model: &dyn PlainModel,
     solution: &Solution,
     tables: &[ViewedTable<'_>],
-    (parts, apart): (&Parts, &[(usize, &str, usize)]),
+    apart: &[(usize, &str, usize)],
 ) -> Result<[Arc<Numbers>; N], ModelError> {
-    let off: Vec<_> = apart.iter().filter(|(.., part)| !parts.is_on(*part)).collect();
+    let parts = model.plain_shape().all_parts();
+    let off: Vec<_> = apart.iter().filter(|(.., part)| !parts[*part].is_on).collect();
     let tables = tables.iter().enumerate().filter(|(k, _)| {
         let place = N - tables.len() + k;
         !off.iter().any(|(absent, ..)| *absent == place)
@@ -228,7 +228,7 @@ pub fn viewed_with_parts<const N: usize>(
     let tables: Vec<ViewedTable<'_>> = tables.map(|(_, table)| *table).collect();
     let mut numbers = all_numbers(model, solution, &tables)?;
     for &&(place, name, part) in &off {
-        numbers.insert(place, Numbers::off(name, parts.name(part)));
+        numbers.insert(place, Numbers::off(name, parts[part].name));
     }
     Ok(numbers.try_into().unwrap_or_else(|_| unreachable!("the model was checked")))
 }
@@ -264,35 +264,6 @@ fn numbers(family: &Family, all: &[f64], marginals: &[f64]) -> Arc<Numbers> {
     let values = all[range.clone()].to_vec();
     let marginals = marginals.get(range).unwrap_or_default().to_vec();
     Arc::new(Numbers { family: family.clone(), values, marginals, off: None })
-}
-
-/// A start at which lifted definitions hold: each family of `lifted`, given by the entries of the
-/// variable family and of the equation family, is moved to the value of its expression, in order. Values that are not finite
-/// are left alone.
-#[doc(hidden)]
-pub fn start_of_lifted(model: &dyn PlainModel, lifted: &[(usize, usize)]) -> Vec<f64> {
-    let shape = model.plain_shape();
-    let mut start = shape.start().to_vec();
-    let parameters = constants(shape.parameter_values());
-    for &(variable, _) in lifted {
-        let z = constants(&start);
-        let definitions = plain_definitions(model, &z, &parameters);
-        let read = Reader::lanes(&z, &definitions, &parameters);
-        let Some(family) = shape.variables().iter().find(|family| family.entry() == variable)
-        else {
-            continue;
-        };
-        for j in family.offset()..family.offset() + family.len() {
-            // The row is v − expression.
-            let Some(row) = shape.row_of_variable(j).map(|row| shape.row(row)) else { continue };
-            let row = model.plain_row(row.family, row.index, &read).into_scalar();
-            let expression = start[j] - row;
-            if expression.is_finite() {
-                start[j] = expression;
-            }
-        }
-    }
-    start
 }
 
 #[cfg(test)]

@@ -1,5 +1,7 @@
 //! [`Bounds`]: the box `l <= z <= u`.
 
+use crate::error::ModelError;
+
 /// What a pair of bounds means for one variable.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BoundKind {
@@ -99,6 +101,22 @@ impl Bounds {
     pub fn contain(&self, z: &[f64]) -> bool {
         z.iter().zip(&self.lower).zip(&self.upper).all(|((z, l), u)| l <= z && z <= u)
     }
+}
+
+/// Bounds that satisfy their invariant, or the variable that does not.
+pub(super) fn checked_bounds(
+    lower: Vec<f64>,
+    upper: Vec<f64>,
+    name: impl Fn(usize) -> String,
+) -> Result<Bounds, ModelError> {
+    Bounds::new(lower, upper).map_err(|bad| match bad {
+        BadBounds::Unusable(j, lower, upper) => {
+            ModelError::UnusableBounds { variable: name(j), lower, upper }
+        }
+        BadBounds::Crossed(j, lower, upper) => {
+            ModelError::CrossedBounds { variable: name(j), lower, upper }
+        }
+    })
 }
 
 #[cfg(test)]

@@ -1,12 +1,10 @@
 //! Declarations of a model's families, checked together when the [`Shape`] is built.
 
-use super::{
-    Bounds, Family, Set, Shape, Values,
-    shape::{EquationFamily, Paired, RowOf, Structure},
-};
+use super::bounds::checked_bounds;
+use super::pairing::pair;
+use super::shape::{RowOf, Structure};
+use super::{Bounds, Family, Part, Set, Shape, Values};
 use crate::error::ModelError;
-use crate::model::BadBounds;
-use crate::problem::small;
 
 macro_rules! describe {
     ($Declaration:ident, $indices:literal) => {
@@ -132,9 +130,9 @@ impl Variable {
 /// A family of equations and the variables they are complementary to.
 #[derive(Clone, Debug)]
 pub struct Equation {
-    family: Family,
-    variable: String,
-    elements: Option<Vec<usize>>,
+    pub(super) family: Family,
+    pub(super) variable: String,
+    pub(super) elements: Option<Vec<usize>>,
 }
 
 describe!(Equation, "One equation for each combination of elements of these sets.");
@@ -212,6 +210,7 @@ pub struct ShapeBuilder {
     definitions: Vec<Definition>,
     parameters: Vec<Parameter>,
     reports: Vec<Definition>,
+    parts: Vec<Part>,
 }
 
 impl ShapeBuilder {
@@ -256,6 +255,12 @@ impl ShapeBuilder {
         }
     }
 
+    /// The parts of the model, in the order of its text.
+    pub(crate) fn parts(mut self, parts: Vec<Part>) -> Self {
+        self.parts = parts;
+        self
+    }
+
     /// Checks names, sizes, bounds, starts, parameters and pairs.
     ///
     /// # Errors
@@ -267,8 +272,8 @@ impl ShapeBuilder {
     /// [`ModelError::ElementOutOfRange`], [`ModelError::ElementOrder`],
     /// [`ModelError::PairElements`].
     pub fn build(self) -> Result<Shape, ModelError> {
-        let ShapeBuilder { mut variables, mut equations, mut definitions, mut parameters, reports } =
-            self;
+        let ShapeBuilder { mut variables, mut equations, mut definitions, parts, .. } = self;
+        let (mut parameters, reports) = (self.parameters, self.reports);
         let mut reports: Vec<Family> = reports.into_iter().map(|report| report.family).collect();
         let mut names = Vec::new();
         names.extend(variables.iter().map(|v| &v.family.name));
@@ -303,7 +308,7 @@ impl ShapeBuilder {
         let definitions = definitions.into_iter().map(|d| d.family).collect();
         let row_of = RowOf::default();
         let structure =
-            Structure { variables, equations, definitions, parameters, reports, row_of };
+            Structure { variables, equations, definitions, parameters, reports, parts, row_of };
         Shape::assemble(structure, bounds, start, values)
     }
 }
@@ -326,7 +331,7 @@ pub(super) fn name_among(families: &[Family], k: usize) -> String {
 }
 
 /// Gives every family its offset, and its entry unless it has one.
-fn number<'a>(families: impl Iterator<Item = &'a mut Family>) {
+pub(super) fn number<'a>(families: impl Iterator<Item = &'a mut Family>) {
     let mut offset = 0;
     for (place, family) in families.enumerate() {
         family.offset = offset;
@@ -373,86 +378,10 @@ fn number_variables(
     Ok((families, bounds, start))
 }
 
-/// Bounds that satisfy their invariant, or the variable that does not.
-pub(super) fn checked_bounds(
-    lower: Vec<f64>,
-    upper: Vec<f64>,
-    name: impl Fn(usize) -> String,
-) -> Result<Bounds, ModelError> {
-    Bounds::new(lower, upper).map_err(|bad| match bad {
-        BadBounds::Unusable(j, lower, upper) => {
-            ModelError::UnusableBounds { variable: name(j), lower, upper }
-        }
-        BadBounds::Crossed(j, lower, upper) => {
-            ModelError::CrossedBounds { variable: name(j), lower, upper }
-        }
-    })
-}
-
 /// A start must be finite.
 pub(crate) fn check_start(start: &[f64], name: impl Fn(usize) -> String) -> Result<(), ModelError> {
     match start.iter().position(|z| !z.is_finite()) {
         None => Ok(()),
         Some(j) => Err(ModelError::StartNotFinite { variable: name(j), value: start[j] }),
-    }
-}
-
-/// Resolves every equation's variable and the elements it is paired with.
-fn pair(
-    mut equations: Vec<Equation>,
-    variables: &[Family],
-) -> Result<Vec<EquationFamily>, ModelError> {
-    number(equations.iter_mut().map(|e| &mut e.family));
-    let mut paired = Vec::new();
-    for Equation { family, variable, elements } in equations {
-        let target = variables.iter().find(|v| v.name == variable).ok_or_else(|| {
-            let names = variables.iter().map(|v| v.name.as_str());
-            let nearest = crate::error::nearest(&variable, names);
-            ModelError::UnknownName { kind: "variable", name: variable.clone(), nearest }
-        })?;
-        let count = elements.as_ref().map_or(target.len, Vec::len);
-        if count != family.len {
-            return Err(ModelError::PairSize {
-                equation: family.name,
-                equations: family.len,
-                variable,
-                variables: count,
-            });
-        }
-        if elements.is_none() {
-            check_same_elements(&family, target)?;
-        }
-        let listed = elements.unwrap_or_default();
-        if let Some(&index) = listed.iter().find(|&&k| k >= target.len) {
-            return Err(ModelError::ReadOutOfRange {
-                row: family.name,
-                kind: "paired variable",
-                index,
-                count: target.len,
-            });
-        }
-        let pairs = if listed.is_empty() {
-            Paired::From(target.offset)
-        } else {
-            Paired::List(listed.into_iter().map(|k| small(target.offset + k)).collect())
-        };
-        paired.push(EquationFamily { family, pairs });
-    }
-    Ok(paired)
-}
-
-/// Families of the same length are paired by position, but not element `a` of a sparse one with
-/// element `b` of another.
-fn check_same_elements(equation: &Family, variable: &Family) -> Result<(), ModelError> {
-    let is_sparse = equation.is_sparse() || variable.is_sparse();
-    let lengths = |family: &Family| family.sets.iter().map(Set::len).collect::<Vec<_>>();
-    let same_sets = lengths(equation) == lengths(variable);
-    let differs = |&k: &usize| !same_sets || equation.combination(k) != variable.combination(k);
-    match (0..equation.len).find(|k| is_sparse && differs(k)) {
-        None => Ok(()),
-        Some(k) => Err(ModelError::PairElements {
-            equation: equation.element_name(k),
-            variable: variable.name.clone(),
-        }),
     }
 }

@@ -24,9 +24,11 @@ impl Shape {
     /// # Errors
     /// [`ModelError::UnknownName`] for the family or a label, with the nearest one;
     /// [`ModelError::Length`] for the wrong number of labels; [`ModelError::NoSuchElement`] for a
-    /// combination of labels that the family does not have.
+    /// combination of labels that the family does not have; [`ModelError::PartOff`] for a name of a
+    /// part that is off.
     pub fn variable_index(&self, name: &str) -> Result<usize, ModelError> {
-        let (family, labels) = split_name("variable", self.variables(), name)?;
+        let found = split_name("variable", self.variables(), name);
+        let (family, labels) = found.map_err(|error| self.unknown_or_off(error))?;
         Ok(family.offset() + index_in("variable", family, labels.unwrap_or_default())?)
     }
 
@@ -86,10 +88,10 @@ impl Shape {
     /// Changes the values of a parameter family, or the one value of an element: `tax[iron]`.
     ///
     /// # Errors
-    /// [`ModelError::UnknownName`], [`ModelError::NoSuchElement`], [`ModelError::Length`],
-    /// [`ModelError::ParameterNotFinite`].
+    /// [`ModelError::UnknownName`], [`ModelError::PartOff`], [`ModelError::NoSuchElement`],
+    /// [`ModelError::Length`], [`ModelError::ParameterNotFinite`].
     pub fn set_parameter(&mut self, name: &str, values: &[f64]) -> Result<(), ModelError> {
-        let range = elements("parameter", self.parameters(), name)?;
+        let range = self.elements("parameter", self.parameters(), name)?;
         if values.len() != range.len() {
             let (what, expected) = (format!("parameter {name}"), range.len());
             return Err(ModelError::Length { what, expected, found: values.len() });
@@ -107,29 +109,31 @@ impl Shape {
     /// # Errors
     /// As [`set_parameter`](Self::set_parameter), whatever the number of elements.
     pub fn fill_parameter(&mut self, name: &str, value: f64) -> Result<(), ModelError> {
-        let count = elements("parameter", self.parameters(), name)?.len();
+        let count = self.elements("parameter", self.parameters(), name)?.len();
         self.set_parameter(name, &vec![value; count])
     }
 
     /// The variables a name stands for: one, or all of a family.
     pub(crate) fn range_of(&self, name: &str) -> Result<Range<usize>, ModelError> {
-        elements("variable", self.variables(), name)
+        self.elements("variable", self.variables(), name)
     }
-}
 
-/// The elements a name stands for, among those of all families: one, or all of a family.
-pub(super) fn elements(
-    kind: &'static str,
-    families: &[Family],
-    name: &str,
-) -> Result<Range<usize>, ModelError> {
-    let (family, labels) = split_name(kind, families, name)?;
-    let offset = family.offset();
-    match labels {
-        None => Ok(offset..offset + family.len()),
-        Some(labels) => {
-            let k = offset + index_in(kind, family, labels)?;
-            Ok(k..k + 1)
+    /// The elements a name stands for, among those of all families: one, or all of a family.
+    pub(super) fn elements(
+        &self,
+        kind: &'static str,
+        families: &[Family],
+        name: &str,
+    ) -> Result<Range<usize>, ModelError> {
+        let found = split_name(kind, families, name);
+        let (family, labels) = found.map_err(|error| self.unknown_or_off(error))?;
+        let offset = family.offset();
+        match labels {
+            None => Ok(offset..offset + family.len()),
+            Some(labels) => {
+                let k = offset + index_in(kind, family, labels)?;
+                Ok(k..k + 1)
+            }
         }
     }
 }

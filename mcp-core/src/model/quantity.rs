@@ -1,6 +1,5 @@
 //! [`Quantity`]: whatever has a name and, at a solution, a number.
 
-use super::by_name::elements;
 use super::{Family, Shape};
 use crate::error::{ModelError, nearest};
 use crate::problem::Derived;
@@ -61,19 +60,20 @@ impl Shape {
     /// What a name stands for: one variable, definition or report, or all of a family.
     ///
     /// # Errors
-    /// [`ModelError::UnknownName`] with the nearest name, and those of a wrong label.
+    /// [`ModelError::UnknownName`] with the nearest name, [`ModelError::PartOff`], and those of a wrong
+    /// label.
     pub(crate) fn quantities(&self, name: &str) -> Result<Vec<Quantity>, ModelError> {
         let head = name.split('[').next().unwrap_or(name).trim();
         for (kind, families) in self.kinds() {
             if families.iter().any(|family| family.name() == head || family.name() == name) {
-                return Ok(elements("element", families, name)?.map(kind).collect());
+                return Ok(self.elements("element", families, name)?.map(kind).collect());
             }
         }
         let families = self.kinds().into_iter().flat_map(|(_, families)| families);
-        Err(ModelError::UnknownName {
+        Err(self.unknown_or_off(ModelError::UnknownName {
             kind: "variable, report or definition",
             name: name.to_owned(),
             nearest: nearest(head, families.map(Family::name)),
-        })
+        }))
     }
 }

@@ -1,13 +1,14 @@
 //! [`Shape`]: everything about a model that is not a formula.
 
-use super::builder::{check_start, checked_bounds, name_among};
-use super::{BoundKind, Bounds, Family, Set, ShapeBuilder, Variable};
+use super::bounds::checked_bounds;
+use super::builder::{check_start, name_among};
+use super::{BoundKind, Bounds, Family, Part, Set, ShapeBuilder, Variable};
 use crate::error::{ModelError, nearest};
 use crate::problem::{Index, small};
 use std::num::NonZero;
 use std::sync::Arc;
 
-/// Families, names, bounds, starts, parameters and pairs of a model.
+/// Families, names, bounds, starts, parameters and pairs of a model, and which of its parts are on.
 ///
 /// Variables, definitions and parameters are numbered through in the order of declaration; so are
 /// the rows of the equations. `F_i` is the row paired with variable `i`, whatever its own number.
@@ -17,7 +18,7 @@ use std::sync::Arc;
 /// until one of the two changes them.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Shape {
-    structure: Arc<Structure>,
+    pub(super) structure: Arc<Structure>,
     bounds: Arc<Bounds>,
     start: Arc<Vec<f64>>,
     pub(super) parameter_values: Vec<f64>,
@@ -31,6 +32,7 @@ pub(super) struct Structure {
     pub(super) definitions: Vec<Family>,
     pub(super) parameters: Vec<Family>,
     pub(super) reports: Vec<Family>,
+    pub(super) parts: Vec<Part>,
     pub(super) row_of: RowOf,
 }
 
@@ -212,23 +214,23 @@ impl Shape {
     /// The variable family of that name.
     ///
     /// # Errors
-    /// [`ModelError::UnknownName`] with the nearest name.
+    /// [`ModelError::UnknownName`] with the nearest name, [`ModelError::PartOff`].
     pub fn variable(&self, name: &str) -> Result<&Family, ModelError> {
-        find("variable", &self.structure.variables, name)
+        self.find("variable", &self.structure.variables, name)
     }
     /// The parameter family of that name.
     ///
     /// # Errors
-    /// [`ModelError::UnknownName`] with the nearest name.
+    /// [`ModelError::UnknownName`] with the nearest name, [`ModelError::PartOff`].
     pub fn parameter(&self, name: &str) -> Result<&Family, ModelError> {
-        find("parameter", &self.structure.parameters, name)
+        self.find("parameter", &self.structure.parameters, name)
     }
     /// The definition family of that name.
     ///
     /// # Errors
-    /// [`ModelError::UnknownName`] with the nearest name.
+    /// [`ModelError::UnknownName`] with the nearest name, [`ModelError::PartOff`].
     pub fn definition(&self, name: &str) -> Result<&Family, ModelError> {
-        find("definition", &self.structure.definitions, name)
+        self.find("definition", &self.structure.definitions, name)
     }
 
     /// Changes the start, moving it into the bounds.
@@ -317,18 +319,18 @@ impl Shape {
     pub fn variable_family(&self, j: usize) -> &Family {
         Family::of_element(&self.structure.variables, j).0
     }
-}
 
-pub(super) fn find<'a>(
-    kind: &'static str,
-    families: &'a [Family],
-    name: &str,
-) -> Result<&'a Family, ModelError> {
-    families.iter().find(|f| f.name() == name).ok_or_else(|| ModelError::UnknownName {
-        kind,
-        name: name.to_owned(),
-        nearest: nearest(name, families.iter().map(Family::name)),
-    })
+    fn find<'a>(
+        &self,
+        kind: &'static str,
+        families: &'a [Family],
+        name: &str,
+    ) -> Result<&'a Family, ModelError> {
+        families.iter().find(|f| f.name() == name).ok_or_else(|| {
+            let nearest = nearest(name, families.iter().map(Family::name));
+            self.unknown_or_off(ModelError::UnknownName { kind, name: name.to_owned(), nearest })
+        })
+    }
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! A start taken over, by name, from a solution of a model with other sets.
 
-use super::{Family, Set, Shape};
+use super::{BoundKind, Family, Set, Shape};
 use crate::error::ModelError;
 use crate::solver::Solution;
 use std::collections::HashMap;
@@ -122,22 +122,39 @@ fn for_each_named(
 
 impl Shape {
     /// Takes over, by name, bounds, starts and parameters in which `before` differs from the shape as
-    /// which it was `built`. Bounds in which this shape differs from `built` stay as they are.
+    /// which it was `built`. A variable that a part fixes from now on, `fixed`, keeps the bounds of this
+    /// shape and starts where it is fixed. Returns the variables whose start was taken over.
     ///
     /// # Errors
-    /// As [`set_bounds`](Self::set_bounds).
-    pub(crate) fn take_changes(&mut self, built: &Shape, before: &Shape) -> Result<(), ModelError> {
+    /// [`ModelError::FixedByName`] for a variable that is fixed by name in `before`, and by a part from
+    /// now on; and as [`set_bounds`](Self::set_bounds).
+    pub(crate) fn take_changes(
+        &mut self,
+        built: &Shape,
+        before: &Shape,
+        fixed: &HashMap<usize, &str>,
+    ) -> Result<Vec<usize>, ModelError> {
         let [mut lower, mut upper] =
             [self.bounds().lower(), self.bounds().upper()].map(<[f64]>::to_vec);
         let mut start = self.start().to_vec();
+        let mut taken = Vec::new();
+        // Bounds that were changed may have moved the start: that is no change of its own.
+        let mut start_as_built = built.start().to_vec();
+        before.bounds().project(&mut start_as_built);
         for (i, j) in common(self.variables(), before.variables()) {
             let bounds =
                 [built, before].map(|shape| (shape.bounds().lower()[j], shape.bounds().upper()[j]));
-            if (lower[i], upper[i]) == bounds[0] {
-                (lower[i], upper[i]) = bounds[1];
+            if let Some(part) = fixed.get(&i) {
+                if bounds[0] != bounds[1] && before.bounds().kind(j) == BoundKind::Fixed {
+                    let (variable, part) = (self.variable_name(i), (*part).to_owned());
+                    return Err(ModelError::FixedByName { variable, part });
+                }
+                continue;
             }
-            if built.start()[j] != before.start()[j] {
+            (lower[i], upper[i]) = bounds[1];
+            if start_as_built[j] != before.start()[j] {
                 start[i] = before.start()[j];
+                taken.push(i);
             }
         }
         for (i, j) in common(self.parameters(), before.parameters()) {
@@ -146,7 +163,8 @@ impl Shape {
             }
         }
         self.set_bounds(&lower, &upper)?;
-        self.set_start(&start)
+        self.set_start(&start)?;
+        Ok(taken)
     }
 
     /// Whether a solution's levels are those of a model with the same variables and parameters:

@@ -47,10 +47,10 @@ impl Report {
         Ok(csv.flush()?)
     }
 
-    /// Writes everything as one JSON object: `name, sign_convention, method, status, meaning,
+    /// Writes everything as one JSON object: `name, parts, sign_convention, method, status, meaning,
     /// advice, natural_residual, worst_equation, relative_residual, worst_relative_equation,
     /// bound_violation, vanishing_equation, diverging_variable, start_was_moved, fault, stats,
-    /// statistics, variables, derived`.
+    /// statistics, variables, derived`. `parts` are those that are on.
     ///
     /// A number that is not finite is the string `"inf"`, `"-inf"` or `"NaN"`; `null` means that
     /// there is none. States are `at_lower`, `at_upper`, `interior`, `fixed`, `free`, `outside`.
@@ -67,6 +67,7 @@ impl Report {
         let exists = |i: &usize| *i < self.row_count();
         Document {
             name: (!self.name.is_empty()).then_some(&self.name),
+            parts: self.shape.parts(),
             sign_convention: SIGN_CONVENTION,
             method: solution.method.name(),
             status: solution.status.name(),
@@ -101,6 +102,7 @@ impl Report {
 #[derive(serde::Serialize)]
 struct Document<'a> {
     name: Option<&'a String>,
+    parts: Vec<&'static str>,
     sign_convention: &'static str,
     method: &'static str,
     status: &'static str,

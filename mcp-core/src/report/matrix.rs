@@ -37,11 +37,9 @@ impl Report {
         }
         let names = shape.variables().iter().chain(shape.equations());
         let names = names.chain(shape.reports()).chain(shape.definitions()).map(Family::name);
-        Err(ReportError::Model(ModelError::UnknownName {
-            kind: "family",
-            name: family.to_owned(),
-            nearest: nearest(family, names),
-        }))
+        let (name, nearest) = (family.to_owned(), nearest(family, names));
+        let unknown = ModelError::UnknownName { kind: "family", name, nearest };
+        Err(ReportError::Model(shape.unknown_or_off(unknown)))
     }
 }
 

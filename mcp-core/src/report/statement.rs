@@ -33,6 +33,8 @@ use super::norms::Norms;
 pub struct Statement {
     /// Name of the model, possibly empty.
     pub name: String,
+    /// Names of its [parts](crate::Shape::parts) that are on.
+    pub parts: Vec<&'static str>,
     /// Number of variables.
     pub variables: usize,
     /// Variables by kind of bounds.
@@ -255,6 +257,7 @@ impl Statement {
         }
         Statement {
             name: String::new(),
+            parts: shape.parts(),
             variables: n,
             kinds,
             equations: shape.row_count(),

@@ -8,6 +8,9 @@ impl fmt::Display for Statement {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.headline(f)?;
         writeln!(f, "sign convention: {SIGN_CONVENTION}")?;
+        if !self.parts.is_empty() {
+            writeln!(f, "parts: {}", self.parts.join(", "))?;
+        }
         write_grid(f, &self.families())?;
         write_grid(f, &self.pairs())?;
         if let (Some(smallest), Some(largest)) = (&self.smallest_row, &self.largest_row) {

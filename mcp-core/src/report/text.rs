@@ -16,7 +16,7 @@ const READS: usize = 8;
 const WORST: usize = 5;
 
 impl Report {
-    /// Writes the report as text: sign convention, status and advice, both residuals, costs, what
+    /// Writes the report as text: sign convention, parts that are on, status and advice, both residuals, costs, what
     /// went wrong where, final statistics, solution table, reports and definitions.
     ///
     /// The table has all rows if there are at most 50. A longer one leaves out variables at their
@@ -40,7 +40,11 @@ impl Report {
         let name = if self.name.is_empty() { String::new() } else { clean(&self.name) + ": " };
         let variables = count(self.row_count(), "variable");
         writeln!(out, "{name}mixed complementarity problem, {variables}")?;
-        writeln!(out, "sign convention: {SIGN_CONVENTION}; the marginal is F")
+        writeln!(out, "sign convention: {SIGN_CONVENTION}; the marginal is F")?;
+        match &self.shape.parts()[..] {
+            [] => Ok(()),
+            parts => writeln!(out, "parts: {}", parts.join(", ")),
+        }
     }
 
     fn write_outcome(&self, out: &mut impl Write) -> io::Result<()> {

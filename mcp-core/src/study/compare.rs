@@ -10,7 +10,7 @@ use crate::study::SweepPoint;
 use std::collections::HashMap;
 use std::fmt;
 
-/// Rows of a table before the rest is only counted.
+/// Changes, and names of one answer only, before the rest of them is only counted.
 const ROWS: usize = 50;
 
 /// Changes below this part of the largest number of a family are those of two solves of one problem.
@@ -97,7 +97,8 @@ pub struct Lone {
 }
 
 /// What [`compare`] found. `Display` is a table of what changed, the largest changes in percent first,
-/// then of what only one answer has, with `-` where the other has nothing; at most 50 lines.
+/// then of what only one answer has, with `-` where the other has nothing: at most 50 lines of each, and
+/// how many there are more.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Changes {
     /// All numbers that both answers have, the largest change in percent first.
@@ -106,6 +107,10 @@ pub struct Changes {
     pub only_before: Vec<Lone>,
     /// Numbers that only the second has.
     pub only_after: Vec<Lone>,
+    /// [Parts](Shape::parts) that are on in the first model.
+    pub parts_before: Vec<&'static str>,
+    /// Parts that are on in the second.
+    pub parts_after: Vec<&'static str>,
 }
 
 /// Compares two answers number by number: variables, and definitions and reports where both have
@@ -167,7 +172,9 @@ pub fn compare(before: &impl Outcome, after: &impl Outcome) -> Changes {
     let is_new = |number: &&Number| !names.contains(number.name.as_str());
     let only_after = second.iter().filter(is_new).map(Number::alone).collect();
     rows.sort_by(|a, b| b.percent().abs().total_cmp(&a.percent().abs()));
-    Changes { rows, only_before, only_after }
+    let [parts_before, parts_after] =
+        [before.solution(), after.solution()].map(|solution| solution.shape.parts());
+    Changes { rows, only_before, only_after, parts_before, parts_after }
 }
 
 struct Number {
@@ -265,23 +272,32 @@ impl fmt::Display for Changes {
             let [before, after, change] = [row.before, row.after, row.absolute()].map(number);
             grid.row([row.name.clone(), before, after, change, percent, row.unit.clone()]);
         }
-        for (Lone { name, unit, .. }, [before, after]) in
-            alone.iter().take(ROWS.saturating_sub(changed.len()))
-        {
+        if changed.len() > ROWS {
+            grid.note(format!("… and {} more that changed", changed.len() - ROWS));
+        }
+        for (Lone { name, unit, .. }, [before, after]) in alone.iter().take(ROWS) {
             let none = || "-".to_owned();
             let [name, before, after, unit] = [name, before, after, unit].map(String::clone);
             grid.row([name, before, after, none(), none(), unit]);
         }
-        let lines = changed.len() + alone.len();
-        if lines > ROWS {
-            grid.note(format!("… and {} more", lines - ROWS));
+        if alone.len() > ROWS {
+            grid.note(format!("… and {} more that only one has", alone.len() - ROWS));
         }
         let unchanged = self.rows.len() - changed.len();
         if unchanged > 0 {
             grid.note(format!("unchanged: {unchanged}"));
         }
+        if self.parts_before != self.parts_after {
+            let [before, after] = [&self.parts_before, &self.parts_after].map(|parts| list(parts));
+            grid.note(format!("parts: {before} → {after}"));
+        }
         grid.fmt(f)
     }
+}
+
+/// Names of parts.
+fn list(parts: &[&str]) -> String {
+    if parts.is_empty() { "-".to_owned() } else { parts.join(", ") }
 }
 
 /// Percent with sign and two decimals.

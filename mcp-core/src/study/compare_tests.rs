@@ -85,6 +85,36 @@ fn numbers_of_one_side_only_have_dashes() {
     );
 }
 
+/// `x_i = i + shift` over so many goods from number `first` on.
+fn many(first: usize, count: usize, shift: f64) -> Report {
+    let goods = Set::new("goods", (first..first + count).map(|k| k.to_string())).unwrap();
+    let shape = Shape::builder()
+        .variable(Variable::new("x").over(&[&goods]))
+        .equation(Equation::new("f").over(&[&goods]).complements("x"))
+        .build()
+        .unwrap();
+    report(&Levels { shape, shift: shift + first as f64 })
+}
+
+#[test]
+fn names_of_one_side_are_listed_however_many_numbers_changed() {
+    let changes = compare(&many(0, 100, 1.0), &many(20, 100, 2.0));
+    let counts = [changes.rows.len(), changes.only_before.len(), changes.only_after.len()];
+    assert_eq!(counts, [80, 20, 20]);
+    let text = changes.to_string();
+    let alone = text.lines().filter(|line| line.contains(" - "));
+    assert_eq!(alone.count(), 40);
+    assert_eq!(text.lines().filter(|line| line.contains("x[")).count(), 50 + 40);
+    assert!(text.contains("\n … and 30 more that changed\n x[0] "), "{text}");
+}
+
+#[test]
+fn names_of_one_side_beyond_fifty_are_counted() {
+    let text = compare(&many(0, 40, 1.0), &many(100, 60, 1.0)).to_string();
+    assert_eq!(text.lines().filter(|line| line.contains(" - ")).count(), 50);
+    assert!(text.ends_with(" … and 50 more that only one has\n"), "{text}");
+}
+
 #[test]
 fn solutions_have_variables_only() {
     let [one, two] = [1.0, 2.0].map(|shift| report(&levels(["a", "b"], shift)));

@@ -153,11 +153,13 @@ fn names_are_unique_in_the_whole_model() {
     );
     assert_eq!(
         model_errors(
-            "model View { var z free; eq e: z complements z; part view_builder { } part a_b { } part a__b { } part __ { } }"
+            "model View { var z free; eq e: z complements z; part view_builder { } part a_b { } part a__b { } part __ { } \
+             part view_parts { } }"
         ),
         "1:54 the part `view_builder` would make a second type `ViewBuilder`: choose another name\n\
          1:89 the part `a__b` would make a second type `AB`: choose another name\n\
-         1:103 no name for a type can be made from `__`: use a name with a letter"
+         1:103 no name for a type can be made from `__`: use a name with a letter\n\
+         1:115 the part `view_parts` would make a second type `ViewParts`: choose another name"
     );
 }
 
@@ -218,4 +220,36 @@ fn a_model_without_parts_has_nothing_of_them() {
     let places = order.map(|arm| arms.find(arm).unwrap_or_else(|| panic!("no `{arm}` in\n{arms}")));
     assert!(places.is_sorted());
     assert!(with.contains("struct A"));
+}
+
+#[test]
+fn a_row_runs_over_its_own_terms_and_asks_no_part() {
+    let text = "model M { data { s: Set } var x[i in s] free; var y free;
+                eq e[i in s]: x[i] complements x[i]; eq f: y complements y;
+                part a { adds e[i]: 1.0; adds f: 2.0; } part b { adds e[i]: 3.0; } }";
+    let expansion = crate::model::mcp(text.parse().unwrap()).to_string();
+    let function = |name: &str| {
+        let rest = expansion.split(&format!("fn {name} <")).nth(1).unwrap();
+        rest.split("fn ").next().unwrap().to_owned()
+    };
+    let several = function("__added__row_e");
+    assert!(several.contains("match term . addition { 0u32 => __term_0"), "{several}");
+    assert!(several.contains("2u32 => __term_2") && !several.contains("1u32"), "{several}");
+    let one = function("__added__row_f");
+    assert!(one.contains("value + __term_1") && !one.contains("match"), "{one}");
+    assert!(!several.contains(" if ") && !one.contains(" if "), "{several}{one}");
+    // Without terms a family is computed by the function of the text.
+    let arms = expansion.split("fn row <").nth(1).unwrap();
+    assert!(arms.contains("0usize => __row_e") && arms.contains("2usize => __added__row_e"));
+}
+
+#[test]
+fn the_types_of_parts_stand_in_a_module_of_the_model() {
+    let text = "pub model M { var y free; eq f: y complements y;
+                part a { adds f: 2.0; } part b { data { c: f64 } adds f: c; } }";
+    let expansion = crate::model::mcp(text.parse().unwrap()).to_string();
+    let module = expansion.split("pub mod MParts").nth(1).unwrap();
+    let (module, rest) = module.split_once("pub use MParts :: *").unwrap();
+    assert!(module.contains("pub struct A ;") && module.contains("pub struct B <"));
+    assert!(rest.contains("PartsOf < M > for MParts :: A"), "{rest}");
 }

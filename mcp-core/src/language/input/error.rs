@@ -21,11 +21,15 @@ pub enum DataError {
         /// The variable.
         name: String,
     },
-    /// A part adds a term to a combination of indices for which the target has no row.
-    #[error("`adds {name}` names a row that does not exist: its condition does not hold")]
+    /// A part adds terms to rows of which the target has none.
+    #[error("the part `{part}` adds to `{target}`{}", no_rows(.sets))]
     AddedToAbsent {
+        /// The part.
+        part: String,
         /// The equation or definition.
-        name: String,
+        target: String,
+        /// The index sets that the part runs over; none where it names one row.
+        sets: Vec<String>,
     },
     /// A set has no elements.
     #[error("{}set `{set}` is empty: give at least one label", at(.place.as_deref()))]
@@ -252,6 +256,16 @@ fn at(place: Option<&Place>) -> String {
 
 fn first_line(first: Option<u64>) -> String {
     first.map(|line| format!(", first in line {line}")).unwrap_or_default()
+}
+
+fn no_rows(sets: &[String]) -> String {
+    if sets.is_empty() {
+        return ", which has no row there: its condition does not hold".to_owned();
+    }
+    format!(
+        " over `{}`, where it has no row: its condition holds for none of them",
+        sets.join("`, `")
+    )
 }
 
 #[cfg(test)]

@@ -42,7 +42,8 @@ fn check_name(place: usize, part: &Part, model: &Model, errors: &mut Errors) {
         errors.at(&part.name, messages::no_type(&name));
         return;
     };
-    let of_model = ["", "Builder", "View", "Sets"].map(|end| format!("{}{end}", model.name));
+    let of_model =
+        ["", "Builder", "View", "Sets", "Parts"].map(|end| format!("{}{end}", model.name));
     let is_taken = of_model.iter().any(|taken| own == taken)
         || before.iter().any(|other| type_name(&other.name).as_ref() == Some(&own));
     if is_taken {

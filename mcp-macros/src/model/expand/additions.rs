@@ -24,29 +24,20 @@ pub(super) struct Target<'m> {
     is_lifted: bool,
     /// What is added, by its number among all, in the order of the text.
     adds: Vec<(usize, &'m Adds)>,
-    /// Its number among those with several additions.
-    several: Option<usize>,
+    /// Its number among those with additions.
+    number: usize,
 }
 
 impl<'m> Expansion<'m> {
     /// Equations with additions, and definitions with additions.
     pub(super) fn targets(&self) -> [Vec<Target<'m>>; 2] {
-        let mut several = 0;
+        let mut count = 0;
         let mut target = |name: &Ident, rows: Ident, text: String, function: Ident, is_lifted| {
-            let adds: Vec<_> = self
-                .model
-                .adds
-                .iter()
-                .enumerate()
-                .filter(|(_, adds)| adds.target == *name)
-                .collect();
-            let number = (adds.len() > 1).then(|| {
-                several += 1;
-                several - 1
-            });
-            let target =
-                Target { rows, text, function, entry: 0, is_lifted, adds, several: number };
-            Some(target).filter(|target| !target.adds.is_empty())
+            let adds = self.model.adds.iter().enumerate();
+            let adds: Vec<_> = adds.filter(|(_, adds)| adds.target == *name).collect();
+            let (number, is_target) = (count, !adds.is_empty());
+            count += usize::from(is_target);
+            is_target.then_some(Target { rows, text, function, entry: 0, is_lifted, adds, number })
         };
         let mut equations = Vec::new();
         for eq in &self.model.eqs {
@@ -82,7 +73,7 @@ impl<'m> Expansion<'m> {
     pub(super) fn additions(&self, assembly: &Ident) -> TokenStream {
         let model = Self::local("model");
         let additions = self.targets().into_iter().flatten().flat_map(|target| {
-            let Target { rows, text, entry, several, .. } = target;
+            let Target { rows, text, entry, number, .. } = target;
             let additions = target.adds.into_iter().map(|(k, adds)| {
                 let (over, sets) = (adds.over(), Self::sets_of(adds.over()));
                 let places = adds.places.iter().map(|place| match place {
@@ -90,12 +81,11 @@ impl<'m> Expansion<'m> {
                     Place::One(tokens) => self.rewriter.expression(tokens),
                 });
                 let at_each = Self::at_each(over, &code!(#model.#rows.place(#(#places),*)));
-                let field = added_field(k);
-                let noted = several.map(|target| code!(#assembly.adds(#target, #k);));
+                let (field, k) = (added_field(k), term_number(k));
                 let addition = code! {
                     let rows = ::mcp_core::language::Elements::count(&#model.#rows.0);
-                    #model.#field = #assembly.addition((#text, rows, #entry), #sets, #at_each);
-                    #noted
+                    #model.#field.0 =
+                        #assembly.addition((#text, #number, rows, #entry), #k, #sets, #at_each);
                 };
                 Self::within(Some(adds.part), assembly, addition)
             });
@@ -111,32 +101,24 @@ impl<'m> Expansion<'m> {
         terms.chain(sums).collect()
     }
 
-    /// A family with what is added to it.
+    /// A family with what is added to it: a row runs over its own terms.
     fn with_added(&self, target: &Target<'_>) -> TokenStream {
         let (name, function, type_name) = (target.name(), &target.function, &self.model.name);
         let [model, row, read] = ["model", "row", "read"].map(Self::local);
         let sign = if target.is_lifted { code!(-) } else { code!(+) };
-        let term = |k: usize| {
-            let (field, term) = (added_field(k), term_name(k));
-            code! {
-                if let ::core::option::Option::Some(at) = #model.#field.to(#row) {
-                    value = value #sign #term(#model, at, #read);
-                }
-            }
+        let number = target.number;
+        let value = |k: usize| {
+            let term = term_name(k);
+            code!(#term(#model, term.combination(), #read))
         };
-        let terms = match (target.several, &target.adds[..]) {
-            (Some(number), adds) => {
-                let arms = adds.iter().map(|(k, _)| {
-                    let term = term(*k);
-                    code!(#k => { #term })
-                });
-                code! {
-                    for &addition in #model.__parts.added(#number) {
-                        match addition { #(#arms)* _ => {} }
-                    }
-                }
-            }
-            (None, adds) => adds.iter().map(|(k, _)| term(*k)).collect(),
+        let value = if let [(k, _)] = target.adds[..] {
+            value(k)
+        } else {
+            let arms = target.adds.iter().map(|&(k, _)| {
+                let (number, value) = (term_number(k), value(k));
+                code!(#number => #value,)
+            });
+            code!(match term.addition { #(#arms)* _ => continue })
         };
         code! {
             fn #name<D: ::mcp_core::Scalar>(
@@ -145,7 +127,9 @@ impl<'m> Expansion<'m> {
                 #read: &::mcp_core::Reader<'_, D>,
             ) -> ::mcp_core::Real<D> {
                 let mut value = #function(#model, #row, #read);
-                #terms
+                for term in #model.__parts.added(#number, #row) {
+                    value = value #sign #value;
+                }
                 value
             }
         }
@@ -175,6 +159,11 @@ impl Target<'_> {
 /// The field with the rows that an addition reaches.
 pub(super) fn added_field(k: usize) -> Ident {
     format_ident!("__added_{k}")
+}
+
+/// The number of an addition in its terms.
+fn term_number(k: usize) -> u32 {
+    u32::try_from(k).unwrap_or(u32::MAX)
 }
 
 /// The function of an addition.

@@ -282,9 +282,16 @@ impl<'m> Expansion<'m> {
                 code!((#variable, #equation))
             })
             .collect();
+        let families = code!(&[#(#lifted),*]);
         (!lifted.is_empty()).then(|| {
+            if self.has_parts() {
+                return code! {
+                    let start = #model.__parts.start_of_lifted(&#model, #families);
+                    #model.__parts.start_at(&start, &mut #model.__shape)?;
+                };
+            }
             code! {
-                let start = ::mcp_core::language::start_of_lifted(&#model, &[#(#lifted),*]);
+                let start = ::mcp_core::language::start_of_lifted(&#model, #families);
                 #model.__shape.set_start(&start)?;
             }
         })

@@ -7,7 +7,7 @@ use super::items::{about, indices, input_type, sets_of};
 use super::{Expansion, label};
 use crate::type_name::type_name;
 use proc_macro2::{Ident, Span, TokenStream};
-use quote::{ToTokens, format_ident};
+use quote::{ToTokens, format_ident, quote_spanned};
 
 impl Expansion<'_> {
     pub(super) fn has_parts(&self) -> bool {
@@ -31,7 +31,7 @@ impl Expansion<'_> {
         let added = (0..self.model.adds.len()).map(added_field);
         self.has_parts().then(|| {
             code! {
-                #(#added: ::mcp_core::language::Added,)*
+                #(#added: ::mcp_core::language::Rows<()>,)*
                 __parts: ::mcp_core::language::Parts,
             }
         })
@@ -40,7 +40,7 @@ impl Expansion<'_> {
     /// The fields of the struct without anything in them.
     pub(super) fn empty_additions(&self) -> TokenStream {
         let added = (0..self.model.adds.len()).map(added_field);
-        code!(#(#added: ::mcp_core::language::Added::EMPTY,)*)
+        code!(#(#added: ::mcp_core::language::Rows::EMPTY,)*)
     }
 
     /// `&[PartText { … }]`
@@ -66,20 +66,23 @@ impl Expansion<'_> {
             code! {
                 /// The model with these parts on beside those that are: one part with its data, or a
                 /// tuple of several, in any order. Bounds, starts and parameters that were changed by
-                /// name stay changed.
+                /// name stay changed, but a variable that a part fixes has the bounds of the part and
+                /// starts there.
                 ///
                 /// # Errors
                 /// `ModelError::PartTwice` for a part that is on already; `PartRequired`, `PartExcluded`
                 /// for parts that do not fit together, `FixedTwice` for a variable that two of them
-                /// fix; what is wrong with their data, as in `build()`.
+                /// fix, `FixedByName` for one that was fixed by name and that one of them fixes; what is
+                /// wrong with their data, as in `build()`; `DataError::AddedToAbsent` for a part that
+                /// adds to rows that there are not.
                 #visibility fn with(
                     &self, parts: impl ::mcp_core::language::PartsOf<#name>,
                 ) -> ::core::result::Result<#name, ::mcp_core::ModelError> {
-                    self.__with(self.__parts.with(parts)?)
+                    self.__with(self.__parts.with(&self.__shape, parts)?)
                 }
                 /// The names of the parts that are on, in the order of the text.
                 #visibility fn parts(&self) -> ::std::vec::Vec<&'static str> {
-                    self.__parts.names()
+                    self.__shape.parts()
                 }
             }
         })
@@ -122,9 +125,8 @@ impl Expansion<'_> {
                         let mut #model = self;
                         #families
                         let before = ::core::mem::take(&mut #model.__shape);
-                        #model.__parts.finish(&mut #assembly, &mut #model.__shape)?;
+                        #model.__parts.finish(&mut #assembly, &before, &mut #model.__shape)?;
                         #start
-                        #model.__parts.keep_changes(&before, &mut #model.__shape)?;
                         ::core::result::Result::Ok(#model)
                     }
                 }
@@ -132,8 +134,11 @@ impl Expansion<'_> {
         })
     }
 
-    /// `pub struct Co2 { … }` for each part.
-    pub(super) fn part_types(&self) -> TokenStream {
+    /// `mod EconomyParts { pub struct Co2 { … } }` and `use EconomyParts::*`, so that models beside each
+    /// other may have parts of one name: only who writes that name alone has to say which.
+    pub(super) fn part_types(&self) -> Option<TokenStream> {
+        let (visibility, model) = (&self.model.visibility, &self.model.name);
+        let module = self.part_module();
         // In a model with errors two parts may have one name.
         let mut seen: Vec<Ident> = Vec::new();
         let parts = self.model.parts.iter().enumerate().filter_map(|(k, part)| {
@@ -141,27 +146,61 @@ impl Expansion<'_> {
             seen.push(name.clone());
             Some(self.part_type(k, part, &name))
         });
-        parts.collect()
+        let (types, switches): (Vec<TokenStream>, Vec<TokenStream>) = parts.unzip();
+        // Shown where a name is that of parts of two models: at the name of the model.
+        let at = Span::mixed_site().located_at(model.span());
+        let beside = quote_spanned!(at=> #visibility use #module::*;);
+        let about = format!("The parts of [`{model}`](super::{model}), each with its data.");
+        self.has_parts().then(|| {
+            code! {
+                #[doc = #about]
+                #[allow(
+                    non_snake_case, unreachable_pub, dead_code, clippy::struct_field_names,
+                    reason = "a part may stay off; fields are called as in the text of the model"
+                )]
+                #visibility mod #module {
+                    #(#types)*
+                }
+                #[doc(inline)]
+                #[allow(
+                    unused_imports, ambiguous_glob_reexports,
+                    reason = "a part may stay off; another model may have such a part"
+                )]
+                #beside
+                #(
+                    #[allow(unused_qualifications, reason = "another model may have such a part")]
+                    #[automatically_derived]
+                    #switches
+                )*
+            }
+        })
     }
 
-    fn part_type(&self, number: usize, part: &Part, name: &Ident) -> TokenStream {
-        let (visibility, model) = (&self.model.visibility, &self.model.name);
-        let text = format!("The part `{}` of [`{model}`]", label(&part.name));
+    /// The module with the types of the parts.
+    fn part_module(&self) -> Ident {
+        format_ident!("{}Parts", self.model.name)
+    }
+
+    /// The type of a part, and how it is switched on.
+    fn part_type(&self, number: usize, part: &Part, name: &Ident) -> (TokenStream, TokenStream) {
+        let (model, module) = (&self.model.name, self.part_module());
+        let text = format!("The part `{}` of [`{model}`](super::{model})", label(&part.name));
         let about = about(&part.attributes, &text);
         let given = self.given_with(number);
         if given.is_empty() {
-            return code! {
+            let unit = code! {
                 #[doc = #about]
-                #[allow(dead_code, reason = "a part may stay off")]
                 #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug)]
-                #visibility struct #name;
-                #[automatically_derived]
-                impl ::mcp_core::language::PartsOf<#model> for #name {
+                pub struct #name;
+            };
+            let switch = code! {
+                impl ::mcp_core::language::PartsOf<#model> for #module::#name {
                     fn give(self, assembly: &mut ::mcp_core::language::Assembly) {
                         assembly.switch_on(#number);
                     }
                 }
             };
+            return (unit, switch);
         }
         let types: Vec<Ident> =
             (0..given.len()).map(|k| format_ident!("T{k}", span = Span::mixed_site())).collect();
@@ -169,16 +208,16 @@ impl Expansion<'_> {
         let numbers = given.iter().map(|given| given.number);
         let abouts = given.iter().map(|given| &given.about);
         let inputs: Vec<&TokenStream> = given.iter().map(|given| &given.input).collect();
-        code! {
+        let with_data = code! {
             #[doc = #about]
-            #[allow(dead_code, non_snake_case, clippy::struct_field_names, reason = "a part may stay off; fields are called as in the text of the model")]
             #[derive(::core::clone::Clone, ::core::fmt::Debug)]
-            #visibility struct #name<#(#types = #inputs),*> {
-                #(#[doc = #abouts] #visibility #fields: #types,)*
+            pub struct #name<#(#types = #inputs),*> {
+                #(#[doc = #abouts] pub #fields: #types,)*
             }
-            #[automatically_derived]
+        };
+        let switch = code! {
             impl<#(#types: ::core::convert::Into<#inputs>),*> ::mcp_core::language::PartsOf<#model>
-                for #name<#(#types),*>
+                for #module::#name<#(#types),*>
             {
                 fn give(self, assembly: &mut ::mcp_core::language::Assembly) {
                     assembly.switch_on(#number);
@@ -188,7 +227,8 @@ impl Expansion<'_> {
                     )*
                 }
             }
-        }
+        };
+        (with_data, switch)
     }
 
     /// What comes with a part: its data, and its parameters without a value in the text.

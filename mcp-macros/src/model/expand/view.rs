@@ -68,7 +68,7 @@ impl Expansion<'_> {
             let apart = Self::viewed_apart(&viewed, &tables);
             code! {
                 ::mcp_core::language::viewed_with_parts(
-                    self, solution, &[#(#viewed_tables)*], (&self.__parts, &[#apart]),
+                    self, solution, &[#(#viewed_tables)*], &[#apart],
                 )
             }
         } else {
