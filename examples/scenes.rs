@@ -9,7 +9,9 @@
 //! ```
 //!
 //! prints a table of steps and the final state, and writes all steps as CSV and a picture to
-//! `target/scenes`. Without argument all scenes of `examples/scenes` run, with one line each.
+//! `target/scenes`. A run that computes 50 000 numbers or more, such as that of `column_of_beads.toml`,
+//! has a progress bar on a terminal. Without argument all scenes of `examples/scenes` run, with one
+//! line each.
 //!
 //! | effect | what it needs |
 //! | --- | --- |
@@ -31,7 +33,7 @@ mod output;
 
 use files::effect::Effect;
 use files::effects::{Effect as _, files_in};
-use files::scene::Scene;
+use files::scene::{Scene, is_long};
 use indicatif::ProgressBar;
 use mcp_core::dynamics::StepReport;
 use output::{Output, Row};
@@ -40,9 +42,6 @@ use std::path::Path;
 
 /// Rows of the step table.
 const ROWS: u64 = 25;
-
-/// Runs of more steps have a progress bar, on a terminal.
-const LONG: u64 = 50_000;
 
 /// Steps of each scene when all are run.
 const BRIEFLY: u64 = 1000;
@@ -62,8 +61,12 @@ fn run(path: &Path) -> Result<(), Box<dyn Error>> {
     let every = scene.steps.div_ceil(ROWS).max(1);
     let mut output = Output::new(scene.stepper.state_names());
     output.push(Row::of(StepReport::default(), scene.stepper.as_ref()));
-    let bar =
-        if scene.steps > LONG { ProgressBar::new(scene.steps) } else { ProgressBar::hidden() };
+    // Drawn on a terminal only.
+    let bar = if is_long(scene.steps, scene.stepper.state_names().len()) {
+        ProgressBar::new(scene.steps)
+    } else {
+        ProgressBar::hidden()
+    };
     println!("{}", output::HEADER);
     for step in 1..=scene.steps {
         let row = Row::of(scene.stepper.step()?, scene.stepper.as_ref());

@@ -4,6 +4,10 @@
 #[allow(dead_code, reason = "the example uses more of it")]
 mod files;
 
+#[path = "../examples/scenes/output.rs"]
+#[allow(dead_code, reason = "the example uses more of it")]
+mod output;
+
 #[path = "scenes/energy.rs"]
 mod energy;
 #[path = "scenes/faults.rs"]
@@ -12,7 +16,9 @@ mod faults;
 mod laws;
 #[path = "scenes/published.rs"]
 mod published;
-#[path = "scenes/twins.rs"]
+#[path = "scenes/runs.rs"]
+mod runs;
+#[path = "scenes/twins/mod.rs"]
 mod twins;
 #[path = "scenes/without.rs"]
 mod without;
@@ -73,4 +79,14 @@ fn set(table: &mut toml::Table, key: &str, name: &str, value: f64) {
 /// Sets the effects.
 fn name_effects(table: &mut toml::Table, effects: &[&str]) {
     table.insert("effects".to_owned(), effects.to_vec().into());
+}
+
+/// The bits of a state.
+fn bits(state: &[f64]) -> Vec<u64> {
+    state.iter().map(|x| x.to_bits()).collect()
+}
+
+/// The entries `[[key]]` of a scene.
+fn entries<'a>(table: &'a mut toml::Table, key: &str) -> &'a mut Vec<toml::Value> {
+    table.get_mut(key).and_then(toml::Value::as_array_mut).expect("it has the entries")
 }

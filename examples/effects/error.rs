@@ -58,13 +58,22 @@ impl Source<'_> {
         FileError::Entry { file: self.file.to_owned(), line, key, message }
     }
 
-    /// An error of the syntax, or of a key that does not exist or is missing.
+    /// An error of the syntax, of a key that does not exist or is missing, or of a value of the wrong kind.
     pub(crate) fn syntax(&self, error: &toml::de::Error) -> FileError {
-        let at = error.span().unwrap_or(0..0);
-        let quoted = error.message().split('`').nth(1);
-        let written = self.text.get(at.clone()).and_then(|text| text.lines().next()).unwrap_or("");
-        let key = quoted.unwrap_or(written).to_owned();
-        self.error(at, key, error.message())
+        let (at, message) = (error.span().unwrap_or(0..0), error.message());
+        let is_of_key = ["unknown field", "missing field"].iter().any(|of| message.starts_with(of));
+        let quoted = message.split('`').nth(1).filter(|_| is_of_key);
+        let key = quoted.unwrap_or_else(|| self.key_at(at.start)).to_owned();
+        self.error(at, key, message)
+    }
+
+    /// The key in the line of a place.
+    fn key_at(&self, at: usize) -> &str {
+        let (before, after) = self.text.split_at_checked(at).unwrap_or((self.text, ""));
+        let start = before.rfind('\n').map_or(0, |end| end + 1);
+        let end = at + after.find('\n').unwrap_or(after.len());
+        let line = self.text.get(start..end).unwrap_or("");
+        line.split('=').next().unwrap_or("").trim()
     }
 
     /// An error of the file as a whole.

@@ -1,6 +1,7 @@
 //! What stands in a scene file.
 
-use super::effects::At;
+use super::effects::{At, Source};
+use super::place::Entry;
 use serde::Deserialize;
 use std::collections::BTreeMap;
 
@@ -44,16 +45,27 @@ pub(crate) struct Time {
     pub(crate) gamma: Option<At<f64>>,
 }
 
+impl Time {
+    /// Where the parameters of the scheme stand; a matrix that `h` makes singular is a fault of `h`.
+    pub(crate) fn entry<'a>(&self, source: &'a Source<'a>) -> Entry<'a> {
+        Entry::new(source, "time", self.step.span())
+            .has("step", "step", &self.step)
+            .has("matrix", "step", &self.step)
+            .may("theta", "theta", self.theta.as_ref())
+            .may("gamma", "gamma", self.gamma.as_ref())
+    }
+}
+
 /// A planar body: position and velocity of the coordinates it has.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Body {
-    pub(crate) name: String,
+    pub(crate) name: At<String>,
     pub(crate) mass: Option<At<f64>>,
     pub(crate) inertia: Option<At<f64>>,
     pub(crate) radius: Option<At<f64>>,
-    pub(crate) x: Option<[f64; 2]>,
-    pub(crate) y: Option<[f64; 2]>,
+    pub(crate) x: Option<At<[f64; 2]>>,
+    pub(crate) y: Option<At<[f64; 2]>>,
     pub(crate) angle: Option<At<[f64; 2]>>,
 }
 
@@ -61,11 +73,10 @@ pub(crate) struct Body {
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Element {
-    pub(crate) name: String,
+    pub(crate) name: At<String>,
     pub(crate) kind: At<String>,
     pub(crate) value: Option<At<f64>>,
-    #[serde(default)]
-    pub(crate) start: f64,
+    pub(crate) start: Option<At<f64>>,
     pub(crate) between: [String; 2],
 }
 
@@ -73,26 +84,26 @@ pub(crate) struct Element {
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct System {
-    pub(crate) states: Vec<String>,
-    pub(crate) start: Vec<f64>,
-    pub(crate) matrix: Vec<Vec<f64>>,
-    pub(crate) drift: Option<Vec<f64>>,
+    pub(crate) states: At<Vec<String>>,
+    pub(crate) start: At<Vec<f64>>,
+    pub(crate) matrix: At<Vec<Vec<f64>>>,
+    pub(crate) drift: Option<At<Vec<f64>>>,
 }
 
 /// The transformed bouncing mass.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct ZhuravlevIvanov {
-    pub(crate) start: [f64; 2],
-    pub(crate) kappa: f64,
-    pub(crate) acceleration: f64,
+    pub(crate) start: [At<f64>; 2],
+    pub(crate) kappa: At<f64>,
+    pub(crate) acceleration: At<f64>,
 }
 
 /// Effect `gravity`.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Gravity {
-    pub(crate) acceleration: f64,
+    pub(crate) acceleration: At<f64>,
 }
 
 /// Effect `spring`.
@@ -103,8 +114,7 @@ pub(crate) struct Spring {
     pub(crate) to: Option<At<String>>,
     pub(crate) along: At<String>,
     pub(crate) stiffness: At<f64>,
-    #[serde(default)]
-    pub(crate) rest: f64,
+    pub(crate) rest: Option<At<f64>>,
 }
 
 /// Effect `damper`.
@@ -125,18 +135,16 @@ pub(crate) struct Drag {
     pub(crate) coefficient: At<f64>,
 }
 
-/// Effect `contact`, with a plane or another body; `restitution` and `friction` are for the effects of
+/// Effect `contact`, with a plane, by default the floor, or another body; `restitution` and `friction` are for the effects of
 /// these names.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Contact {
-    pub(crate) name: String,
+    pub(crate) name: At<String>,
     pub(crate) body: At<String>,
     pub(crate) with: Option<At<String>>,
-    #[serde(default = "upwards")]
-    pub(crate) normal: [f64; 2],
-    #[serde(default)]
-    pub(crate) offset: f64,
+    pub(crate) normal: Option<At<[f64; 2]>>,
+    pub(crate) offset: Option<At<f64>>,
     pub(crate) restitution: Option<At<f64>>,
     pub(crate) friction: Option<At<f64>>,
 }
@@ -145,47 +153,38 @@ pub(crate) struct Contact {
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Joint {
-    pub(crate) name: String,
+    pub(crate) name: At<String>,
     pub(crate) body: At<String>,
-    pub(crate) rail: Option<[f64; 2]>,
-    pub(crate) anchor: Option<[f64; 2]>,
+    pub(crate) rail: Option<At<[f64; 2]>>,
+    pub(crate) anchor: Option<At<[f64; 2]>>,
     pub(crate) with: Option<At<String>>,
 }
 
-/// Effect `relay`: `x' += input λ`, `y = output · x`, `−λ` in the sign of `y`.
+/// Effect `relay`: `x' += input λ`, `y = output · x`, `−λ` in the sign of `y`; by default within ±1.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Relay {
-    pub(crate) name: String,
-    pub(crate) input: Vec<f64>,
-    pub(crate) output: Vec<f64>,
-    #[serde(default = "minus_one")]
-    pub(crate) lower: f64,
-    #[serde(default = "one")]
-    pub(crate) upper: f64,
+    pub(crate) name: At<String>,
+    pub(crate) input: At<Vec<f64>>,
+    pub(crate) output: At<Vec<f64>>,
+    pub(crate) lower: Option<At<f64>>,
+    pub(crate) upper: Option<At<f64>>,
 }
 
 /// Effect `sliding_mode`: a twisting controller with two inputs, times the gain, and two outputs.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct SlidingMode {
-    pub(crate) name: String,
-    pub(crate) gain: f64,
-    pub(crate) inputs: [Vec<f64>; 2],
-    pub(crate) outputs: [Vec<f64>; 2],
-}
-
-fn upwards() -> [f64; 2] {
-    [0.0, 1.0]
-}
-
-fn one() -> f64 {
-    1.0
-}
-
-fn minus_one() -> f64 {
-    -1.0
+    pub(crate) name: At<String>,
+    pub(crate) gain: At<f64>,
+    pub(crate) inputs: At<[Vec<f64>; 2]>,
+    pub(crate) outputs: At<[Vec<f64>; 2]>,
 }
 
 /// Numbers of things by their names.
 pub(crate) type Names<T> = BTreeMap<String, T>;
+
+/// What is given, or the default.
+pub(crate) fn or<T: Clone>(given: Option<&At<T>>, default: T) -> T {
+    given.map_or(default, |given| given.get_ref().clone())
+}

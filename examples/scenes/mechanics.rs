@@ -2,12 +2,11 @@
 
 use super::effect::Effect;
 use super::effects::{At, FileError, Source};
-use super::file::{Body, Contact, Joint, Names, SceneFile};
+use super::file::{Body, Contact, Joint, Names, SceneFile, or};
+use super::place::Entry;
 use mcp_core::dynamics::{
-    self, Axis, BodyId, DynamicsError, Hold, Link, Mechanics, MoreauJean, Obstacle, Scheme,
-    step_options,
+    self, Axis, BodyId, Hold, Link, Mechanics, MoreauJean, Obstacle, Scheme, step_options,
 };
-use std::ops::Range;
 
 /// Bodies with the effects the scene names.
 pub(crate) fn stepper(
@@ -21,33 +20,41 @@ pub(crate) fn stepper(
         build.body(body)?;
     }
     if let (true, Some(gravity)) = (on(Effect::Gravity), &scene.gravity) {
-        let added = build.system.add_gravity(gravity.acceleration);
-        added.map_err(|error| source.refused(error))?;
+        let g = &gravity.acceleration;
+        let entry = Entry::new(source, "gravity", g.span()).has("acceleration", "acceleration", g);
+        build.system.add_gravity(*g.get_ref()).map_err(|error| entry.fault(&error))?;
     }
     if on(Effect::Spring) {
         for spring in &scene.spring {
             let s = spring.get_ref();
             let ends = (&s.body, s.to.as_ref(), &s.along);
-            let link = build.link("spring", ends, *s.stiffness.get_ref(), s.rest)?;
-            let added = build.system.add_spring(link);
-            build.check(added, "spring.stiffness", s.stiffness.span())?;
+            let entry = Entry::new(source, "spring", spring.span())
+                .has("stiffness", "stiffness", &s.stiffness)
+                .may("rest", "rest", s.rest.as_ref());
+            let entry = with_ends(entry, ends);
+            let (stiffness, rest) = (*s.stiffness.get_ref(), or(s.rest.as_ref(), 0.0));
+            let link = build.link("spring", ends, stiffness, rest)?;
+            build.system.add_spring(link).map_err(|error| entry.fault(&error))?;
         }
     }
     if on(Effect::Damper) {
         for damper in &scene.damper {
             let d = damper.get_ref();
             let ends = (&d.body, d.to.as_ref(), &d.along);
+            let entry = Entry::new(source, "damper", damper.span());
+            let entry = with_ends(entry.has("damping", "damping", &d.damping), ends);
             let link = build.link("damper", ends, *d.damping.get_ref(), 0.0)?;
-            let added = build.system.add_damper(link);
-            build.check(added, "damper.damping", d.damping.span())?;
+            build.system.add_damper(link).map_err(|error| entry.fault(&error))?;
         }
     }
     if on(Effect::Drag) {
         for drag in &scene.drag {
-            let drag = drag.get_ref();
+            let (at, drag) = (drag.span(), drag.get_ref());
             let body = build.find("drag.body", &drag.body)?;
+            let entry =
+                Entry::new(source, "drag", at).has("drag", "coefficient", &drag.coefficient);
             let added = build.system.add_drag(body, *drag.coefficient.get_ref());
-            build.check(added, "drag.coefficient", drag.coefficient.span())?;
+            added.map_err(|error| entry.fault(&error))?;
         }
     }
     if on(Effect::Contact) {
@@ -61,12 +68,21 @@ pub(crate) fn stepper(
         }
     }
     let time = &scene.time;
-    let mut scheme = Scheme::new(*time.step.get_ref());
-    for (given, place) in [(&time.theta, &mut scheme.theta), (&time.gamma, &mut scheme.gamma)] {
-        *place = given.as_ref().map_or(*place, |given| *given.get_ref());
-    }
+    let defaults = Scheme::new(*time.step.get_ref());
+    let scheme = Scheme {
+        theta: or(time.theta.as_ref(), defaults.theta),
+        gamma: or(time.gamma.as_ref(), defaults.gamma),
+        ..defaults
+    };
     let stepper = MoreauJean::new(build.system, scheme, &step_options());
-    stepper.map_err(|error| source.refused(error))
+    stepper.map_err(|error| time.entry(source).fault(&error))
+}
+
+/// The bodies of a spring or damper and its axis.
+type Ends<'a> = (&'a At<String>, Option<&'a At<String>>, &'a At<String>);
+
+fn with_ends<'a>(entry: Entry<'a>, (_, to, along): Ends<'_>) -> Entry<'a> {
+    entry.may("other", "to", to).has("coordinate", "along", along)
 }
 
 /// A system that grows.
@@ -77,16 +93,6 @@ struct Build<'a> {
 }
 
 impl Build<'_> {
-    /// What was added, or why not, at its place.
-    fn check<T>(
-        &self,
-        added: Result<T, DynamicsError>,
-        key: &str,
-        at: Range<usize>,
-    ) -> Result<T, FileError> {
-        added.map_err(|error| self.source.error(at, key, error.to_string()))
-    }
-
     fn find(&self, key: &str, name: &At<String>) -> Result<BodyId, FileError> {
         let missing = || {
             let names: Vec<&str> = self.bodies.keys().map(String::as_str).collect();
@@ -96,48 +102,48 @@ impl Build<'_> {
         self.bodies.get(name.get_ref()).copied().ok_or_else(missing)
     }
 
-    fn body(&mut self, entry: &At<Body>) -> Result<(), FileError> {
-        let body = entry.get_ref();
+    fn body(&mut self, given: &At<Body>) -> Result<(), FileError> {
+        let (at, body) = (given.span(), given.get_ref());
+        let name = body.name.get_ref();
         let Some(mass) = &body.mass else {
-            let message = format!("{} has no mass", body.name);
-            return Err(self.source.error(entry.span(), "body.mass", message));
+            return Err(self.source.error(at, "body.mass", format!("{name} has no mass")));
         };
-        let number = |given: &Option<At<f64>>| given.as_ref().map_or(0.0, |given| *given.get_ref());
-        let mut planar =
-            dynamics::Body::new(&body.name, *mass.get_ref()).radius(number(&body.radius));
-        for (axis, motion) in [(Axis::X, body.x), (Axis::Y, body.y)] {
-            if let Some([position, velocity]) = motion {
+        let mut planar = dynamics::Body::new(name, *mass.get_ref());
+        planar = planar.radius(or(body.radius.as_ref(), 0.0));
+        for (axis, motion) in [(Axis::X, &body.x), (Axis::Y, &body.y)] {
+            if let Some(motion) = motion {
+                let [position, velocity] = *motion.get_ref();
                 planar = planar.moving(axis, position, velocity);
             }
         }
-        // The place of the first number that may be refused.
-        let at = |given: &Option<At<f64>>| given.as_ref().map(At::span);
-        let mut place = ("body.mass", mass.span());
-        if *mass.get_ref() > 0.0 {
-            let radius = at(&body.radius).filter(|_| number(&body.radius) < 0.0);
-            place = radius.map_or(("body", entry.span()), |at| ("body.radius", at));
-        }
         if let Some(angle) = &body.angle {
             let Some(inertia) = &body.inertia else {
-                let message = format!("{} turns, but has no inertia", body.name);
+                let message = format!("{name} turns, but has no inertia");
                 return Err(self.source.error(angle.span(), "body.inertia", message));
             };
             let [position, velocity] = *angle.get_ref();
             planar = planar.turning(*inertia.get_ref(), position, velocity);
         }
-        let added = self.system.add_body(&planar);
-        let id = self.check(added, place.0, place.1)?;
-        if self.bodies.insert(body.name.clone(), id).is_some() {
-            let message = format!("two bodies are called `{}`", body.name);
-            return Err(self.source.error(entry.span(), "body.name", message));
-        }
+        let entry = Entry::new(self.source, "body", at)
+            .has("name", "name", &body.name)
+            .has("mass", "mass", mass)
+            .may("radius", "radius", body.radius.as_ref())
+            .may("inertia", "inertia", body.inertia.as_ref())
+            .may("x", "x", body.x.as_ref())
+            .may("x velocity", "x", body.x.as_ref())
+            .may("y", "y", body.y.as_ref())
+            .may("y velocity", "y", body.y.as_ref())
+            .may("angle", "angle", body.angle.as_ref())
+            .may("angular velocity", "angle", body.angle.as_ref());
+        let id = self.system.add_body(&planar).map_err(|error| entry.fault(&error))?;
+        self.bodies.insert(name.clone(), id);
         Ok(())
     }
 
     fn link(
         &self,
         effect: &str,
-        (body, to, along): (&At<String>, Option<&At<String>>, &At<String>),
+        (body, to, along): Ends<'_>,
         coefficient: f64,
         rest: f64,
     ) -> Result<Link, FileError> {
@@ -158,43 +164,52 @@ impl Build<'_> {
         restitution: bool,
         friction: bool,
     ) -> Result<(), FileError> {
-        let given = entry.get_ref();
+        let (at, given) = (entry.span(), entry.get_ref());
         let with = match &given.with {
             Some(other) => Obstacle::Body(self.find("contact.with", other)?),
-            None => Obstacle::Plane { normal: given.normal, offset: given.offset },
+            None => Obstacle::Plane {
+                normal: or(given.normal.as_ref(), [0.0, 1.0]),
+                offset: or(given.offset.as_ref(), 0.0),
+            },
         };
         let body = self.find("contact.body", &given.body)?;
-        let mut contact = dynamics::Contact::new(&given.name, body, with);
-        let mut place = ("contact", entry.span());
+        let mut contact = dynamics::Contact::new(given.name.get_ref(), body, with);
         if let (true, Some(e)) = (restitution, &given.restitution) {
             contact = contact.restitution(*e.get_ref());
-            if !(0.0..=1.0).contains(e.get_ref()) {
-                place = ("contact.restitution", e.span());
-            }
         }
         if let (true, Some(mu)) = (friction, &given.friction) {
             contact = contact.friction(*mu.get_ref());
-            if !(*mu.get_ref() >= 0.0) {
-                place = ("contact.friction", mu.span());
-            }
         }
-        let added = self.system.add_contact(contact);
-        self.check(added, place.0, place.1)
+        let entry = Entry::new(self.source, "contact", at)
+            .has("name", "name", &given.name)
+            .may("other", "with", given.with.as_ref())
+            .may("normal", "normal", given.normal.as_ref())
+            .may("offset", "offset", given.offset.as_ref())
+            .may("restitution", "restitution", given.restitution.as_ref())
+            .may("friction", "friction", given.friction.as_ref())
+            .may("tangent", "friction", given.friction.as_ref());
+        self.system.add_contact(contact).map_err(|error| entry.fault(&error))
     }
 
     fn joint(&mut self, entry: &At<Joint>) -> Result<(), FileError> {
-        let given = entry.get_ref();
-        let hold = match (given.rail, given.anchor, &given.with) {
-            (Some(normal), None, None) => Hold::Rail(normal),
-            (None, Some(point), None) => Hold::Anchor(point),
+        let (at, given) = (entry.span(), entry.get_ref());
+        let name = given.name.get_ref();
+        let hold = match (&given.rail, &given.anchor, &given.with) {
+            (Some(normal), None, None) => Hold::Rail(*normal.get_ref()),
+            (None, Some(point), None) => Hold::Anchor(*point.get_ref()),
             (None, None, Some(other)) => Hold::Body(self.find("joint.with", other)?),
             _ => {
-                let message = format!("{} needs one of rail, anchor, with", given.name);
-                return Err(self.source.error(entry.span(), "joint", message));
+                let message = format!("{name} needs one of rail, anchor, with");
+                return Err(self.source.error(at, "joint", message));
             }
         };
         let body = self.find("joint.body", &given.body)?;
-        let added = self.system.add_joint(dynamics::Joint::new(&given.name, body, hold));
-        self.check(added, "joint", entry.span())
+        let entry = Entry::new(self.source, "joint", at)
+            .has("name", "name", &given.name)
+            .may("other", "with", given.with.as_ref())
+            .may("normal", "rail", given.rail.as_ref())
+            .may("anchor", "anchor", given.anchor.as_ref());
+        let added = self.system.add_joint(dynamics::Joint::new(name, body, hold));
+        added.map_err(|error| entry.fault(&error))
     }
 }

@@ -5,4 +5,5 @@ pub(crate) mod effect;
 pub(crate) mod effects;
 pub(crate) mod file;
 pub(crate) mod mechanics;
+pub(crate) mod place;
 pub(crate) mod scene;

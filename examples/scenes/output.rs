@@ -4,7 +4,7 @@ use mcp_core::dynamics::{StepReport, TimeStepper};
 use mcp_core::study::COLORS;
 use plotters::prelude::*;
 use std::error::Error;
-use std::fmt::{self, Write};
+use std::fmt;
 use std::path::Path;
 
 /// Columns of the step table.
@@ -60,24 +60,21 @@ impl Output {
         format!("final t={:.11e} state={}", row.report.time, state.join(","))
     }
 
-    pub(crate) fn write_csv(&self, path: &Path) -> std::io::Result<()> {
-        let mut text = String::from("time,unknowns,active,iterations,residual,energy");
-        for name in &self.names {
-            text.push(',');
-            text.push_str(name);
-        }
-        text.push('\n');
+    /// All steps as CSV; names are quoted where they need it.
+    pub(crate) fn write_csv(&self, path: &Path) -> csv::Result<()> {
+        let mut csv = csv::Writer::from_path(path)?;
+        let columns = ["time", "unknowns", "active", "iterations", "residual", "energy"];
+        csv.write_record(columns.into_iter().chain(self.names.iter().map(String::as_str)))?;
         for row in &self.rows {
             let StepReport { time, unknowns, active, iterations, residual, .. } = row.report;
             let energy = row.energy.map_or(String::new(), |energy| energy.to_string());
-            // Writing to a text does not fail.
-            let _ = write!(text, "{time},{unknowns},{active},{iterations},{residual:e},{energy}");
-            for x in &row.state {
-                let _ = write!(text, ",{x}");
-            }
-            text.push('\n');
+            let counts = [unknowns, active, iterations].map(|count| count.to_string());
+            let step = [time.to_string()].into_iter().chain(counts);
+            let step = step.chain([format!("{residual:e}"), energy]);
+            csv.write_record(step.chain(row.state.iter().map(f64::to_string)))?;
         }
-        std::fs::write(path, text)
+        csv.flush()?;
+        Ok(())
     }
 
     /// Numbers that are neither velocities nor multipliers, at most seven.

@@ -1,12 +1,13 @@
 //! From a scene file to a system on its way through time.
 
 use super::effect::Effect;
-use super::effects::{FileError, Source, named};
-use super::file::{SceneFile, System};
+use super::effects::{At, FileError, Source, named};
+use super::file::{self, SceneFile, System, or};
 use super::mechanics;
+use super::place::{Entry, finite};
 use mcp_core::dynamics::{
-    Circuit, ComplementaritySystem, Element, ElementKind, EulerMoreau, Pair, TimeStepper,
-    step_options,
+    Circuit, ComplementaritySystem, DynamicsError, Element, ElementKind, EulerMoreau, Pair,
+    TimeStepper, step_options,
 };
 use mcp_core::testing::{ZhuravlevIvanov, ZhuravlevIvanovStepper};
 use mcp_core::{Method, Options};
@@ -41,6 +42,15 @@ impl Scene {
     }
 }
 
+/// A run is long if its steps have this many numbers in all.
+const LONG: u64 = 50_000;
+
+/// Whether a run of so many steps is long: what it computes, keeps and writes grows with the steps and
+/// with the numbers of a state. Long runs have a progress bar.
+pub(crate) fn is_long(steps: u64, numbers: usize) -> bool {
+    steps.saturating_mul(numbers as u64) >= LONG
+}
+
 /// The one base of the scene with its effects.
 fn stepper(
     scene: &SceneFile,
@@ -61,24 +71,38 @@ fn stepper(
         return Ok(Box::new(mechanics::stepper(scene, effects, source)?));
     }
     if let Some(mass) = &scene.zhuravlev_ivanov {
-        if !effects.contains(&Effect::ZhuravlevIvanov) {
-            let message = "the mass has no other law: name `zhuravlev_ivanov`";
-            return Err(source.error(mass.span(), "effects", message));
-        }
-        let mass = mass.get_ref();
-        let mut first = ZhuravlevIvanov::new(mass.start).map_err(|error| source.refused(error))?;
-        (first.h, first.kappa) = (*scene.time.step.get_ref(), mass.kappa);
-        first.gravity = mass.acceleration;
-        let stepper = ZhuravlevIvanovStepper::new(first, Options::new(Method::Robust), true);
-        return Ok(Box::new(stepper.map_err(|error| source.refused(error))?));
+        return Ok(Box::new(transformed_mass(mass, scene, effects, source)?));
     }
     let system = match &scene.system {
-        Some(system) => linear(system.get_ref(), scene, effects, source)?,
+        Some(system) => linear(system, scene, effects, source)?,
         None => circuit(scene, effects, source)?,
     };
-    let theta = scene.time.theta.as_ref().map_or(0.5, |theta| *theta.get_ref());
+    let theta = or(scene.time.theta.as_ref(), 0.5);
     let stepper = EulerMoreau::new(&system, *scene.time.step.get_ref(), theta, &step_options());
-    Ok(Box::new(stepper.map_err(|error| source.refused(error))?))
+    Ok(Box::new(stepper.map_err(|error| scene.time.entry(source).fault(&error))?))
+}
+
+/// The transformed bouncing mass.
+fn transformed_mass(
+    mass: &At<file::ZhuravlevIvanov>,
+    scene: &SceneFile,
+    effects: &[Effect],
+    source: &Source<'_>,
+) -> Result<ZhuravlevIvanovStepper, FileError> {
+    if !effects.contains(&Effect::ZhuravlevIvanov) {
+        let message = "the mass has no other law: name `zhuravlev_ivanov`";
+        return Err(source.error(mass.span(), "effects", message));
+    }
+    let mass = mass.get_ref();
+    let number = |key: &str, value| finite(source, &format!("zhuravlev_ivanov.{key}"), value);
+    let [x, v] = &mass.start;
+    let start = [number("start", x)?, number("start", v)?];
+    let mut first = ZhuravlevIvanov::new(start).map_err(|error| source.refused(error))?;
+    first.h = *scene.time.step.get_ref();
+    first.kappa = number("kappa", &mass.kappa)?;
+    first.gravity = number("acceleration", &mass.acceleration)?;
+    let stepper = ZhuravlevIvanovStepper::new(first, Options::new(Method::Robust), true);
+    stepper.map_err(|error| source.refused(error))
 }
 
 /// A circuit; without the effect `diode` its diodes do not conduct: they are not there.
@@ -88,20 +112,19 @@ fn circuit(
     source: &Source<'_>,
 ) -> Result<ComplementaritySystem, FileError> {
     let mut circuit = Circuit::new();
-    for element in &scene.element {
-        let at = element.span();
-        let element = element.get_ref();
+    for given in &scene.element {
+        let (at, element) = (given.span(), given.get_ref());
+        let name = element.name.get_ref();
         let value = || {
-            let missing = || {
-                let message = format!("{} needs a value", element.name);
-                source.error(at.clone(), "element.value", message)
-            };
+            let missing =
+                || source.error(at.clone(), "element.value", format!("{name} needs a value"));
             element.value.as_ref().map(|value| *value.get_ref()).ok_or_else(missing)
         };
+        let start = or(element.start.as_ref(), 0.0);
         let kind = match element.kind.get_ref().as_str() {
             "resistor" => ElementKind::Resistor(value()?),
-            "capacitor" => ElementKind::Capacitor(value()?, element.start),
-            "inductor" => ElementKind::Inductor(value()?, element.start),
+            "capacitor" => ElementKind::Capacitor(value()?, start),
+            "inductor" => ElementKind::Inductor(value()?, start),
             "source" => ElementKind::Source(value()?),
             "diode" if effects.contains(&Effect::Diode) => ElementKind::Diode,
             "diode" => continue,
@@ -112,47 +135,78 @@ fn circuit(
                 return Err(source.error(element.kind.span(), "element.kind", message));
             }
         };
+        let mut entry = Entry::new(source, "element", at.clone())
+            .has("name", "name", &element.name)
+            .may("start", "start", element.start.as_ref());
+        for word in ["resistance", "capacity", "inductance", "voltage"] {
+            entry = entry.may(word, "value", element.value.as_ref());
+        }
         let [from, to] = element.between.clone();
-        let element = Element { name: element.name.clone(), kind, from, to };
-        circuit.add(element).map_err(|error| source.error(at, "element", error.to_string()))?;
+        let added = circuit.add(Element { name: name.clone(), kind, from, to });
+        added.map_err(|error| entry.fault(&error))?;
     }
-    circuit.system().map_err(|error| source.refused(error))
+    circuit.system().map_err(|error| {
+        let named = match &error {
+            DynamicsError::Circuit { element, .. } => element.as_ref(),
+            _ => None,
+        };
+        let is_named =
+            |element: &&At<file::Element>| Some(element.get_ref().name.get_ref()) == named;
+        let element = scene.element.iter().find(is_named).or(scene.element.first());
+        source.error(element.map_or(0..0, At::span), "element", error.to_string())
+    })
 }
 
 /// A linear system with relays and controllers.
 fn linear(
-    system: &System,
+    system: &At<System>,
     scene: &SceneFile,
     effects: &[Effect],
     source: &Source<'_>,
 ) -> Result<ComplementaritySystem, FileError> {
-    let at = scene.system.as_ref().map_or(0..0, toml::Spanned::span);
-    let fault = |error: mcp_core::dynamics::DynamicsError| {
-        source.error(at.clone(), "system", error.to_string())
-    };
-    let System { states, start, matrix, drift } = system;
-    let mut linear =
-        ComplementaritySystem::new(states.iter().cloned(), start, matrix).map_err(fault)?;
+    let System { states, start, matrix, drift } = system.get_ref();
+    let entry = Entry::new(source, "system", system.span())
+        .has("name", "states", states)
+        .has("start", "start", start)
+        .has("matrix", "matrix", matrix)
+        .may("drift", "drift", drift.as_ref());
+    let names = states.get_ref().iter().cloned();
+    let mut linear = ComplementaritySystem::new(names, start.get_ref(), matrix.get_ref())
+        .map_err(|error| entry.fault(&error))?;
     if let Some(drift) = drift {
-        linear = linear.drift(drift).map_err(fault)?;
+        linear = linear.drift(drift.get_ref()).map_err(|error| entry.fault(&error))?;
     }
     if effects.contains(&Effect::Relay) {
         for relay in &scene.relay {
             let (at, relay) = (relay.span(), relay.get_ref());
-            let pair = Pair::new(&relay.name, &relay.input[..], &relay.output[..]);
-            let added = linear.pair(pair.within(relay.lower, relay.upper));
-            added.map_err(|error| source.error(at, "relay", error.to_string()))?;
+            let entry = Entry::new(source, "relay", at)
+                .has("name", "name", &relay.name)
+                .has("input", "input", &relay.input)
+                .has("output", "output", &relay.output)
+                .may("lower", "lower", relay.lower.as_ref())
+                .may("upper", "upper", relay.upper.as_ref())
+                .may("upper", "lower", relay.lower.as_ref());
+            let bounds = [or(relay.lower.as_ref(), -1.0), or(relay.upper.as_ref(), 1.0)];
+            let (input, output) = (&relay.input.get_ref()[..], &relay.output.get_ref()[..]);
+            let pair = Pair::new(relay.name.get_ref(), input, output);
+            let added = linear.pair(pair.within(bounds[0], bounds[1]));
+            added.map_err(|error| entry.fault(&error))?;
         }
     }
     if effects.contains(&Effect::SlidingMode) {
         for controller in &scene.sliding_mode {
             let (at, controller) = (controller.span(), controller.get_ref());
-            let times_gain = |input: &Vec<f64>| input.iter().map(|b| controller.gain * b).collect();
-            let inputs = controller.inputs.each_ref().map(times_gain);
-            let outputs = controller.outputs.clone();
+            let entry = Entry::new(source, "sliding_mode", at)
+                .has("name", "name", &controller.name)
+                .has("input", "inputs", &controller.inputs)
+                .has("output", "outputs", &controller.outputs);
+            let gain = finite(source, "sliding_mode.gain", &controller.gain)?;
+            let times_gain = |input: &Vec<f64>| input.iter().map(|b| gain * b).collect();
+            let inputs = controller.inputs.get_ref().each_ref().map(times_gain);
+            let outputs = controller.outputs.get_ref().clone();
             let h = *scene.time.step.get_ref();
-            let added = linear.twisting(&controller.name, h, inputs, outputs);
-            added.map_err(|error| source.error(at, "sliding_mode", error.to_string()))?;
+            let added = linear.twisting(controller.name.get_ref(), h, inputs, outputs);
+            added.map_err(|error| entry.fault(&error))?;
         }
     }
     Ok(linear)

@@ -1,7 +1,7 @@
 //! [`Circuit`]: elements between nodes as a [`ComplementaritySystem`].
 
 use super::complementarity_system::{ComplementaritySystem, Pair};
-use super::error::{DynamicsError, finite, positive};
+use super::error::{DynamicsError, finite, positive, unused};
 
 /// An entry counts as zero below this share of the largest of its row: rounding of the elimination.
 const NOTHING: f64 = 1e-12;
@@ -53,20 +53,22 @@ impl Circuit {
     /// Adds an element.
     ///
     /// # Errors
-    /// [`DynamicsError::OutOfRange`] for a resistance, capacity or inductance that is not positive.
+    /// [`DynamicsError::OutOfRange`] for a resistance, capacity or inductance that is not positive or a
+    /// voltage or a start that is not finite, [`DynamicsError::NameTwice`].
     pub fn add(&mut self, element: Element) -> Result<(), DynamicsError> {
-        let of = |what: &str| format!("the {what} of {}", element.name);
+        let name = &element.name;
+        unused(name, self.elements.iter().map(|element| element.name.as_str()))?;
         match element.kind {
-            ElementKind::Resistor(r) => positive(|| of("resistance"), r).map(drop)?,
+            ElementKind::Resistor(r) => positive("resistance", name, r).map(drop)?,
             ElementKind::Capacitor(c, u) => {
-                positive(|| of("capacity"), c)?;
-                finite(|| of("voltage"), u)?;
+                positive("capacity", name, c)?;
+                finite("start", name, u)?;
             }
             ElementKind::Inductor(l, i) => {
-                positive(|| of("inductance"), l)?;
-                finite(|| of("current"), i)?;
+                positive("inductance", name, l)?;
+                finite("start", name, i)?;
             }
-            ElementKind::Source(u) => finite(|| of("voltage"), u).map(drop)?,
+            ElementKind::Source(u) => finite("voltage", name, u).map(drop)?,
             ElementKind::Diode => {}
         }
         self.elements.push(element);
@@ -81,7 +83,7 @@ impl Circuit {
     pub fn system(&self) -> Result<ComplementaritySystem, DynamicsError> {
         if self.elements.is_empty() {
             let reason = "it has no elements".to_owned();
-            return Err(DynamicsError::Circuit { reason });
+            return Err(DynamicsError::Circuit { element: None, reason });
         }
         let mut tableau = Tableau::new(&self.elements);
         tableau.eliminate()?;
@@ -197,7 +199,7 @@ impl<'a> Tableau<'a> {
             if !self.pivot(column) && column + 1 >= self.nodes.len() {
                 let name = &self.elements[column + 1 - self.nodes.len()].name;
                 let reason = format!("{name} closes a loop of capacitors and sources");
-                return Err(DynamicsError::Circuit { reason });
+                return Err(DynamicsError::Circuit { element: Some(name.clone()), reason });
             }
         }
         let mut left = Vec::new();
@@ -210,7 +212,7 @@ impl<'a> Tableau<'a> {
             if !self.pivot(self.diode_current(d)) {
                 let name = &self.elements[self.diodes[d]].name;
                 let reason = format!("neither current nor voltage of {name} follows");
-                return Err(DynamicsError::Circuit { reason });
+                return Err(DynamicsError::Circuit { element: Some(name.clone()), reason });
             }
         }
         self.check_balances()
@@ -223,7 +225,7 @@ impl<'a> Tableau<'a> {
         let mut left = (0..self.rows.len()).filter(is_left);
         if left.any(|r| known(r).iter().any(|x| x.abs() > NOTHING)) {
             let reason = "currents of inductors alone meet in a node".to_owned();
-            return Err(DynamicsError::Circuit { reason });
+            return Err(DynamicsError::Circuit { element: None, reason });
         }
         Ok(())
     }

@@ -1,6 +1,9 @@
 //! [`ComplementaritySystem`]: linear dynamics with complementary pairs.
 
-use super::error::{DynamicsError, finite};
+use super::error::{DynamicsError, check, finite, unused};
+
+/// What errors call a [`ComplementaritySystem`].
+const SYSTEM: &str = "the system";
 
 /// A multiplier `λ_i` and its output `y_i`, complementary by the bounds of `λ_i`.
 ///
@@ -75,7 +78,8 @@ impl ComplementaritySystem {
     /// `x' = A x` from `start`, with `A` row by row.
     ///
     /// # Errors
-    /// [`DynamicsError::Length`], and [`DynamicsError::OutOfRange`] for a number that is not finite.
+    /// [`DynamicsError::Length`], [`DynamicsError::OutOfRange`] for a number that is not finite,
+    /// [`DynamicsError::NameTwice`].
     pub fn new<N: Into<String>>(
         states: impl IntoIterator<Item = N>,
         start: &[f64],
@@ -83,12 +87,13 @@ impl ComplementaritySystem {
     ) -> Result<Self, DynamicsError> {
         let states: Vec<String> = states.into_iter().map(Into::into).collect();
         let n = states.len();
-        check_length(|| "the start".to_owned(), n, start.len())?;
-        check_length(|| "A".to_owned(), n, a.len())?;
-        check_finite("the start", start)?;
-        for (i, row) in a.iter().enumerate() {
-            check_length(|| format!("row {} of A", i + 1), n, row.len())?;
-            check_finite("A", row)?;
+        for (i, name) in states.iter().enumerate() {
+            unused(name, states[..i].iter().map(String::as_str))?;
+        }
+        check_list("start", SYSTEM, n, start)?;
+        check_length("matrix", SYSTEM, n, a.len())?;
+        for row in a {
+            check_list("matrix", SYSTEM, n, row)?;
         }
         Ok(ComplementaritySystem {
             drift: vec![0.0; n],
@@ -104,8 +109,7 @@ impl ComplementaritySystem {
     /// # Errors
     /// As [`new`](Self::new).
     pub fn drift(mut self, drift: &[f64]) -> Result<Self, DynamicsError> {
-        check_length(|| "the drift b".to_owned(), self.states.len(), drift.len())?;
-        check_finite("the drift b", drift)?;
+        check_list("drift", SYSTEM, self.states.len(), drift)?;
         self.drift = drift.to_vec();
         Ok(self)
     }
@@ -115,8 +119,7 @@ impl ComplementaritySystem {
     /// # Errors
     /// As [`new`](Self::new).
     pub fn storage(mut self, weights: &[f64]) -> Result<Self, DynamicsError> {
-        check_length(|| "the storage".to_owned(), self.states.len(), weights.len())?;
-        check_finite("the storage", weights)?;
+        check_list("storage", SYSTEM, self.states.len(), weights)?;
         self.storage = Some(weights.to_vec());
         Ok(self)
     }
@@ -124,14 +127,19 @@ impl ComplementaritySystem {
     /// Adds a pair and returns its number.
     ///
     /// # Errors
-    /// As [`new`](Self::new).
+    /// As [`new`](Self::new); [`DynamicsError::OutOfRange`] for bounds that no number satisfies,
+    /// [`DynamicsError::NameTwice`].
     pub fn pair(&mut self, pair: Pair) -> Result<usize, DynamicsError> {
         let n = self.states.len();
-        check_length(|| format!("the input of {}", pair.name), n, pair.input.len())?;
-        check_length(|| format!("the output of {}", pair.name), n, pair.output.len())?;
-        check_finite(&pair.name, &pair.input)?;
-        check_finite(&pair.name, &pair.output)?;
-        finite(|| format!("the offset of {}", pair.name), pair.offset)?;
+        let names = self.states.iter().chain(self.pairs.iter().map(|pair| &pair.name));
+        unused(&pair.name, names.map(String::as_str))?;
+        check_list("input", &pair.name, n, &pair.input)?;
+        check_list("output", &pair.name, n, &pair.output)?;
+        finite("offset", &pair.name, pair.offset)?;
+        let Pair { lower, upper, .. } = pair;
+        check("lower", &pair.name, lower, lower < f64::INFINITY, "must be below infinity")?;
+        check("upper", &pair.name, upper, lower <= upper, "must not be below the lower bound")?;
+        check("upper", &pair.name, upper, upper > f64::NEG_INFINITY, "must be above −infinity")?;
         self.pairs.push(pair);
         Ok(self.pairs.len() - 1)
     }
@@ -143,9 +151,9 @@ impl ComplementaritySystem {
     pub fn couple(&mut self, i: usize, j: usize, d: f64) -> Result<(), DynamicsError> {
         for k in [i, j] {
             let exists = k < self.pairs.len();
-            super::error::check(|| "a pair".to_owned(), k as f64, exists, "does not exist")?;
+            check("pair", SYSTEM, k as f64, exists, "does not exist")?;
         }
-        finite(|| format!("D[{i}, {j}]"), d)?;
+        finite("coupling", SYSTEM, d)?;
         self.feedthrough.push((i, j, d));
         Ok(())
     }
@@ -195,16 +203,24 @@ impl ComplementaritySystem {
 }
 
 fn check_length(
-    what: impl FnOnce() -> String,
+    quantity: &'static str,
+    of: &str,
     expected: usize,
     found: usize,
 ) -> Result<(), DynamicsError> {
     if expected == found {
         return Ok(());
     }
-    Err(DynamicsError::Length { what: what(), expected, found })
+    Err(DynamicsError::Length { quantity, of: of.to_owned(), expected, found })
 }
 
-fn check_finite(what: &str, values: &[f64]) -> Result<(), DynamicsError> {
-    values.iter().try_for_each(|&value| finite(|| what.to_owned(), value).map(drop))
+/// As many finite numbers as expected.
+fn check_list(
+    quantity: &'static str,
+    of: &str,
+    expected: usize,
+    values: &[f64],
+) -> Result<(), DynamicsError> {
+    check_length(quantity, of, expected, values.len())?;
+    values.iter().try_for_each(|&value| finite(quantity, of, value).map(drop))
 }

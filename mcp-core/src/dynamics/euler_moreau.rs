@@ -6,7 +6,7 @@ use super::sparse_rows::SparseRows;
 use super::step_problem::{Law, Solved, StepProblem, Unknown};
 use super::stepper::{StepReport, StepSize, TimeStepper};
 use crate::linalg::LinearError;
-use crate::scalar::{Counted, OperationCounts, Scalar, Tally};
+use crate::scalar::{Counted, Scalar, Tally};
 use crate::solver::Options;
 use nalgebra::DMatrix;
 
@@ -37,7 +37,16 @@ pub struct EulerMoreau {
     h: f64,
     names: Vec<String>,
     x: Vec<f64>,
-    free: Vec<f64>,
+    /// State before the last step.
+    before: Vec<f64>,
+    maps: Maps,
+    problem: Option<Box<StepProblem>>,
+    storage: Option<Vec<f64>>,
+    steps: u64,
+}
+
+/// The linear maps of a step, applied in any arithmetic; sums are taken by columns, from the first.
+struct Maps {
     /// `W (I + h(1−θ)A)` and `h W b`.
     transition: SparseRows,
     drift: Vec<f64>,
@@ -46,9 +55,40 @@ pub struct EulerMoreau {
     offset: Vec<f64>,
     /// `h W B`.
     input: SparseRows,
-    problem: Option<Box<StepProblem>>,
-    storage: Option<Vec<f64>>,
-    steps: u64,
+}
+
+impl Maps {
+    /// `x°`.
+    fn free_state<D: Scalar>(&self, x: &[D], free: &mut [D]) {
+        for (i, free) in free.iter_mut().enumerate() {
+            *free = affine(self.transition.times(i, |j| x[j]), self.drift[i]);
+        }
+    }
+
+    /// `C x° + a`.
+    fn output<D: Scalar>(&self, free: &[D], y: &mut [D]) {
+        for (i, y) in y.iter_mut().enumerate() {
+            *y = affine(self.output.times(i, |j| free[j]), self.offset[i]);
+        }
+    }
+
+    /// `x° += h W B λ`.
+    fn react<D: Scalar>(&self, lambda: &[D], free: &mut [D]) {
+        for (i, x) in free.iter_mut().enumerate() {
+            if let Some(dx) = self.input.times(i, |j| lambda[j]) {
+                *x = *x + dx;
+            }
+        }
+    }
+}
+
+/// `sum + c`, where there is a sum and `c` is not 0.
+fn affine<D: Scalar>(sum: Option<D>, c: f64) -> D {
+    match sum {
+        Some(sum) if c == 0.0 => sum,
+        Some(sum) => sum.shift(c),
+        None => D::constant(c),
+    }
 }
 
 impl EulerMoreau {
@@ -64,8 +104,8 @@ impl EulerMoreau {
         theta: f64,
         options: &Options,
     ) -> Result<Self, DynamicsError> {
-        positive(|| "the step h".to_owned(), h)?;
-        share(|| "theta".to_owned(), theta)?;
+        positive("step", "the scheme", h)?;
+        share("theta", "the scheme", theta)?;
         let (n, m) = (system.states.len(), system.pairs.len());
         let a = DMatrix::from_fn(n, n, |i, j| system.a[i][j]);
         let identity = DMatrix::<f64>::identity(n, n);
@@ -85,77 +125,62 @@ impl EulerMoreau {
             h,
             names: state_names(system),
             x: system.start.clone(),
-            free: vec![0.0; n],
-            transition: SparseRows::from_dense(&rows_of(
-                &(&w * (&identity + h * (1.0 - theta) * &a)),
-            )),
-            drift: (h * &w * drift).as_slice().to_vec(),
-            output: SparseRows::from_dense(&rows_of(&c)),
-            offset: system.pairs.iter().map(|pair| pair.offset).collect(),
-            input: SparseRows::from_dense(&rows_of(&input)),
+            before: system.start.clone(),
+            maps: Maps {
+                transition: SparseRows::from_dense(&rows_of(
+                    &(&w * (&identity + h * (1.0 - theta) * &a)),
+                )),
+                drift: (h * &w * drift).as_slice().to_vec(),
+                output: SparseRows::from_dense(&rows_of(&c)),
+                offset: system.pairs.iter().map(|pair| pair.offset).collect(),
+                input: SparseRows::from_dense(&rows_of(&input)),
+            },
             problem,
             storage: system.storage.clone(),
             steps: 0,
         })
     }
 
-    /// `x°_i`, in any arithmetic.
-    fn free_state<D: Scalar>(&self, i: usize, x: impl Fn(usize) -> D) -> D {
-        let moved = self.transition.times(i, x);
-        if self.drift[i] == 0.0 { moved } else { moved + D::constant(self.drift[i]) }
-    }
-
-    /// Operations of the free state and of `C x° + a`.
-    fn free_operations(&self) -> OperationCounts {
+    /// Operations of the last step outside its problem: it is done again in the counting arithmetic.
+    fn operations(&self) -> u64 {
         let tally = Tally::new();
-        let x: Vec<Counted<'_>> = self.x.iter().map(|&x| tally.variable(x)).collect();
-        for i in 0..x.len() {
-            self.free_state(i, |j| x[j]);
+        let numbers = |x: &[f64]| x.iter().map(|&x| tally.variable(x)).collect::<Vec<_>>();
+        let x: Vec<Counted<'_>> = numbers(&self.before);
+        let mut free = x.clone();
+        self.maps.free_state(&x, &mut free);
+        if let Some(problem) = &self.problem {
+            let lambda = numbers(&problem.lambda);
+            self.maps.output(&free, &mut lambda.clone());
+            self.maps.react(&lambda, &mut free);
         }
-        for i in 0..self.offset.len() {
-            self.output_at(i, |j| x[j]);
-        }
-        tally.counts()
-    }
-
-    /// `(C x + a)_i`.
-    fn output_at<D: Scalar>(&self, i: usize, x: impl Fn(usize) -> D) -> D {
-        let output = self.output.times(i, x);
-        if self.offset[i] == 0.0 { output } else { output + D::constant(self.offset[i]) }
+        tally.counts().total()
     }
 }
 
 impl TimeStepper for EulerMoreau {
     fn step(&mut self) -> Result<StepReport, DynamicsError> {
         let (step, time) = (self.steps + 1, (self.steps + 1) as f64 * self.h);
-        for i in 0..self.x.len() {
-            self.free[i] = self.free_state(i, |j| self.x[j]);
-        }
-        if let Some(i) = self.free.iter().position(|x| !x.is_finite()) {
+        let EulerMoreau { x, before, maps, problem, .. } = self;
+        // What was `before` becomes the state, unless the step fails.
+        let next = before;
+        maps.free_state(x, next);
+        if let Some(i) = next.iter().position(|x| !x.is_finite()) {
             return Err(DynamicsError::NotFinite { name: self.names[i].clone(), time });
         }
-        let mut solved = Solved::default();
-        if let Some(mut problem) = self.problem.take() {
-            for i in 0..self.offset.len() {
-                problem.model_mut().q[i] = self.output_at(i, |j| self.free[j]);
-            }
-            let result = problem.solve(step, time);
-            if result.is_ok() {
-                for i in 0..self.x.len() {
-                    self.free[i] += self.input.times(i, |j| problem.lambda[j]);
-                }
-            }
-            self.problem = Some(problem);
-            solved = result?;
+        let (mut solved, mut active) = (Solved::default(), 0);
+        if let Some(problem) = problem {
+            maps.output(next, &mut problem.data_mut().q);
+            solved = problem.solve(step, time)?;
+            maps.react(&problem.lambda, next);
+            active = problem.inner_pairs();
         }
-        std::mem::swap(&mut self.x, &mut self.free);
+        std::mem::swap(x, next);
         self.steps = step;
-        let unknowns = self.offset.len();
         Ok(StepReport {
             step,
             time,
-            unknowns,
-            active: unknowns,
+            unknowns: self.maps.offset.len(),
+            active,
             iterations: solved.iterations,
             residual: solved.residual,
         })
@@ -182,11 +207,8 @@ impl TimeStepper for EulerMoreau {
         Some(weights.iter().zip(&self.x).map(|(s, x)| 0.5 * s * x * x).sum())
     }
 
-    fn size(&self) -> StepSize {
-        let nonzeros = self.problem.as_deref().map_or(0, StepProblem::nonzeros);
-        let of_problem = self.problem.as_deref().map(StepProblem::operations);
-        let counts = std::iter::once(self.free_operations()).chain(of_problem);
-        StepSize::new(self.offset.len(), nonzeros, counts)
+    fn size(&self) -> Result<StepSize, DynamicsError> {
+        StepSize::of(self.operations(), self.problem.as_deref())
     }
 }
 
@@ -210,7 +232,7 @@ fn step_problem(
     let columns = |i: usize| matrix.row(i).map(|(j, _)| j).collect();
     let columns: Vec<Vec<usize>> = (0..unknowns.len()).map(columns).collect();
     let mut problem = StepProblem::new(&unknowns, &columns, options)?;
-    problem.model_mut().m.values.copy_from_slice(&matrix.values);
+    problem.data_mut().m.values.copy_from_slice(&matrix.values);
     Ok(Box::new(problem))
 }
 

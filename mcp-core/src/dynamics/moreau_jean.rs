@@ -1,13 +1,13 @@
 //! [`MoreauJean`]: bodies with contacts, step by step.
 
 use super::active_sets::ActiveSets;
-use super::constraint::{Gap, Row};
 use super::error::{DynamicsError, positive, share};
-use super::inertia::Inertia;
+use super::inertia::Column;
 use super::mechanics::Mechanics;
-use super::step_problem::{Law, Solved, StepProblem, Unknown};
+use super::motion::{Active, Motion};
+use super::step_problem::{Solved, StepProblem};
 use super::stepper::{StepReport, StepSize, TimeStepper};
-use crate::scalar::{Counted, OperationCounts, Scalar, Tally};
+use crate::scalar::{Counted, Scalar, Tally};
 use crate::solver::Options;
 
 /// A contact that was pressed in the last step takes part up to this gap \[m\]: rounding does not end
@@ -33,36 +33,6 @@ impl Scheme {
     }
 }
 
-/// A contact that took part in the last step.
-#[derive(Clone, Debug, PartialEq)]
-#[non_exhaustive]
-pub struct Reaction {
-    /// Its name.
-    pub contact: String,
-    /// Gap at the start of the step \[m\].
-    pub gap: f64,
-    /// Rate of the gap before and after.
-    pub rate: (f64, f64),
-    /// Normal impulse \[N s\].
-    pub normal: f64,
-    /// Tangential impulse; 0 without friction.
-    pub tangential: f64,
-    /// Slip after the step \[m/s\]; 0 without friction.
-    pub slip: f64,
-}
-
-/// Where the energy of the last step went; with `θ = ½`, `change = reactions + damping`.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub struct EnergyBalance {
-    /// `E⁺ − E`.
-    pub change: f64,
-    /// Work of contacts and joints, `½ (v⁺ + v) · Hᵀ r`.
-    pub reactions: f64,
-    /// Work of dampers and drag, `−h v̄ᵀ C v̄` at the mean velocity.
-    pub damping: f64,
-}
-
 /// The Moreau–Jean(θ, γ) scheme for bodies with contacts ([Mor88](crate#references),
 /// [Jean99](crate#references)):
 ///
@@ -78,6 +48,10 @@ pub struct EnergyBalance {
 /// more with friction, one for each joint. Where nothing takes part there is no problem and
 /// `v⁺ = v°`. Rows of joints are taken at `q + h v`, where they end: lengths of rods drift
 /// by `O(h²)`. Rows of contacts are taken at `q`.
+///
+/// The order of summation is part of the scheme, so that an effect which is not there does not change a
+/// bit: forces are summed from 0 as constant forces (gravity among them), springs, dampers and drag,
+/// each in the order in which they were added; rows stand as joints, then contacts with their friction.
 ///
 /// ```
 /// use mcp_core::dynamics::{
@@ -100,27 +74,18 @@ pub struct EnergyBalance {
 /// # Ok::<(), mcp_core::dynamics::DynamicsError>(())
 /// ```
 pub struct MoreauJean {
-    system: Mechanics,
-    scheme: Scheme,
-    forced: Vec<usize>,
-    inertia: Inertia,
-    q: Vec<f64>,
-    v: Vec<f64>,
+    pub(super) motion: Motion,
+    options: Options,
+    pub(super) q: Vec<f64>,
+    pub(super) v: Vec<f64>,
     /// State before the last step.
-    before: (Vec<f64>, Vec<f64>),
+    pub(super) before: (Vec<f64>, Vec<f64>),
     free: Vec<f64>,
-    force: Vec<f64>,
-    /// Gap and normal row of every contact, at the start of the step.
-    gaps: Vec<(Gap, Row)>,
-    /// Contacts that take part.
-    active: Vec<usize>,
-    /// `H`: joints, then for each active contact its normal and, with friction, its tangent.
-    rows: Vec<Row>,
-    /// Where the multiplier of each row stands.
-    slots: Vec<usize>,
+    column: Column<f64>,
+    pub(super) active: Active<f64>,
     sets: ActiveSets,
     /// Last multiplier of every joint and, normal and tangential, of every contact.
-    multipliers: Vec<f64>,
+    pub(super) multipliers: Vec<f64>,
     steps: u64,
 }
 
@@ -129,34 +94,31 @@ impl MoreauJean {
     /// ([`step_options`](super::step_options)).
     ///
     /// # Errors
-    /// [`DynamicsError::OutOfRange`] for the scheme, [`DynamicsError::Linear`] if `M̂` is singular.
+    /// [`DynamicsError::OutOfRange`] for the scheme, [`DynamicsError::Linear`] if `M̂` is not positive
+    /// definite in the range of numbers.
     pub fn new(
         system: Mechanics,
         scheme: Scheme,
         options: &Options,
     ) -> Result<Self, DynamicsError> {
-        positive(|| "the step h".to_owned(), scheme.h)?;
-        share(|| "theta".to_owned(), scheme.theta)?;
-        share(|| "gamma".to_owned(), scheme.gamma)?;
+        positive("step", "the scheme", scheme.h)?;
+        share("theta", "the scheme", scheme.theta)?;
+        share("gamma", "the scheme", scheme.gamma)?;
         let (q, v) = system.start.clone();
-        let (n, multipliers) = (q.len(), system.joints.len() + 2 * system.contacts.len());
+        let motion = Motion::new(system, scheme)?;
+        let (n, multipliers) = (q.len(), motion.multipliers());
         Ok(MoreauJean {
-            forced: system.forced(),
-            inertia: Inertia::new(&system, scheme.h * scheme.theta)?,
+            options: options.clone(),
             before: (q.clone(), v.clone()),
             free: vec![0.0; n],
-            force: vec![0.0; n],
-            gaps: Vec::with_capacity(system.contacts.len()),
-            active: Vec::with_capacity(system.contacts.len()),
-            rows: Vec::with_capacity(multipliers),
-            slots: Vec::with_capacity(multipliers),
-            sets: ActiveSets::new(options.clone()),
+            column: Column::new(0.0, n),
+            active: Active::with_capacity(motion.system.contacts.len(), multipliers),
+            sets: ActiveSets::default(),
             multipliers: vec![0.0; multipliers],
             steps: 0,
             q,
             v,
-            scheme,
-            system,
+            motion,
         })
     }
 
@@ -170,225 +132,103 @@ impl MoreauJean {
         &self.v
     }
 
-    /// Gaps of all contacts, at the state there is now.
-    pub fn gaps(&self) -> Vec<f64> {
-        let gap = |contact| self.system.gap(contact, &self.q).gap;
-        self.system.contacts.iter().map(gap).collect()
-    }
-
-    /// The contacts of the last step.
-    pub fn reactions(&self) -> Vec<Reaction> {
-        let mut next = self.system.joints.len();
-        let reaction = |&c: &usize| {
-            let contact = &self.system.contacts[c];
-            let [normal, tangential] = [0, 1].map(|k| self.multipliers[self.slot(c) + k]);
-            let row = self.rows[next];
-            next += 1;
-            let slip = contact.friction.map_or(0.0, |_| {
-                next += 1;
-                self.rows[next - 1].times(&self.v)
-            });
-            let rate = (row.times(&self.before.1), row.times(&self.v));
-            let gap = self.gaps[c].0.gap;
-            Reaction { contact: contact.name.clone(), gap, rate, normal, tangential, slip }
-        };
-        self.active.iter().map(reaction).collect()
-    }
-
-    /// Where the energy of the last step went.
-    pub fn balance(&self) -> EnergyBalance {
-        let (q, v) = &self.before;
-        let mean = |i: usize| 0.5 * (v[i] + self.v[i]);
-        let reactions = self.slots.iter().zip(&self.rows).map(|(&slot, row)| {
-            let rate: f64 = row.entries().iter().map(|&(i, h)| h * mean(i)).sum();
-            rate * self.multipliers[slot]
-        });
-        EnergyBalance {
-            change: self.system.energy(&self.q, &self.v) - self.system.energy(q, v),
-            reactions: reactions.sum(),
-            damping: self.scheme.h * self.system.damping_power(mean),
-        }
-    }
-
-    /// Where the multipliers of a contact stand.
-    fn slot(&self, contact: usize) -> usize {
-        self.system.joints.len() + 2 * contact
-    }
-
-    /// Impulse of the forces, `h (f(q, v) − hθ K v)`, in any arithmetic.
-    fn impulse<D: Scalar>(
-        &self,
-        q: impl Fn(usize) -> D,
-        v: impl Fn(usize) -> D,
-        impulse: &mut [D],
-    ) {
-        let Scheme { h, theta, .. } = self.scheme;
-        impulse.fill(D::constant(0.0));
-        self.system.forces(h * theta, q, v, impulse);
-        for &i in &self.forced {
-            impulse[i] = D::constant(h) * impulse[i];
-        }
-    }
-
-    /// `v°`.
-    fn fly(&mut self) {
-        let mut force = std::mem::take(&mut self.force);
-        self.impulse(|i| self.q[i], |i| self.v[i], &mut force);
-        self.free.copy_from_slice(&self.v);
-        if !self.forced.is_empty() {
-            self.inertia.accelerate(&self.forced, &mut force, &mut self.free);
-        }
-        self.force = force;
-    }
-
     /// Gaps, the contacts that take part, and the rows of `H`.
     fn find_contacts(&mut self) {
-        let Scheme { h, gamma, .. } = self.scheme;
-        let (system, q, v) = (&self.system, &self.q, &self.v);
-        self.gaps.clear();
-        self.active.clear();
-        self.rows.clear();
-        self.slots.clear();
-        let predicted = |i: usize| q[i] + h * v[i];
-        self.rows.extend(system.joints.iter().map(|joint| system.joint_row(joint, predicted)));
-        self.slots.extend(0..system.joints.len());
-        for (c, contact) in system.contacts.iter().enumerate() {
-            let at = system.gap(contact, q);
-            let row = system.normal_row(contact, at);
-            let pressed = self.multipliers[system.joints.len() + 2 * c] > 0.0;
-            let margin = if pressed { RESTING } else { 0.0 };
-            if at.gap + gamma * h * row.times(v) <= margin {
-                self.active.push(c);
-                self.rows.push(row);
-                self.slots.push(system.joints.len() + 2 * c);
-                if contact.friction.is_some() {
-                    self.rows.push(system.tangential_row(contact, at));
-                    self.slots.push(system.joints.len() + 2 * c + 1);
-                }
-            }
-            self.gaps.push((at, row));
-        }
-    }
-
-    /// The unknowns of the rows of `H`.
-    fn unknowns(&self) -> Vec<Unknown> {
-        let free = |name: String| Unknown {
-            name,
-            lower: f64::NEG_INFINITY,
-            upper: f64::INFINITY,
-            law: Law::Bounds,
+        let MoreauJean { motion, q, v, active, multipliers, .. } = self;
+        let takes_part = |c: usize, approach: f64| {
+            let pressed = multipliers[motion.slot(c)] > 0.0;
+            approach <= if pressed { RESTING } else { 0.0 }
         };
-        let joints = self.system.joints.iter().map(|joint| free(joint.name.clone()));
-        let mut unknowns: Vec<Unknown> = joints.collect();
-        for &c in &self.active {
-            let contact = &self.system.contacts[c];
-            let normal = unknowns.len();
-            unknowns.push(Unknown { lower: 0.0, ..free(contact.name.clone()) });
-            if let Some(mu) = contact.friction {
-                let law = Law::Coulomb { normal, mu };
-                unknowns.push(Unknown { law, ..free(format!("{} friction", contact.name)) });
-            }
-        }
-        unknowns
+        motion.constrain(q, v, |x| x, takes_part, active);
     }
 
     /// Solves for the reactions and adds them to the free velocity.
     fn react(&mut self, step: u64, time: f64) -> Result<Solved, DynamicsError> {
-        if !self.sets.select(&self.active) {
-            let reads = |a: &Row| {
-                (0..self.rows.len()).filter(|&j| self.inertia.couples(a, &self.rows[j])).collect()
-            };
-            let columns: Vec<Vec<usize>> = self.rows.iter().map(reads).collect();
-            self.sets.insert(&self.active, &self.unknowns(), &columns)?;
+        let MoreauJean { motion, options, free, column, active, sets, multipliers, .. } = self;
+        let problem = sets.select(&active.contacts, || {
+            StepProblem::new(&motion.unknowns(active), &motion.columns(active), options)
+        })?;
+        motion.condense(active, free, column, problem.data_mut());
+        for (start, &slot) in problem.lambda.iter_mut().zip(&active.slots) {
+            *start = multipliers[slot];
         }
-        let Some(mut problem) = self.sets.take() else { return Ok(Solved::default()) };
-        let model = problem.model_mut();
-        for (i, row) in self.rows.iter().enumerate() {
-            model.q[i] = row.times(&self.free);
-            self.inertia.delassus(&self.rows, i, model.m.row_mut(i));
+        let solved = problem.solve(step, time)?;
+        motion.inertia.react(&active.rows, &problem.lambda, column, free);
+        multipliers.fill(0.0);
+        for (&slot, &lambda) in active.slots.iter().zip(&problem.lambda) {
+            multipliers[slot] = lambda;
         }
-        let mut i = self.system.joints.len();
-        for &c in &self.active {
-            let contact = &self.system.contacts[c];
-            // u⁺ + e u
-            if contact.restitution != 0.0 {
-                model.q[i] += contact.restitution * self.rows[i].times(&self.v);
-            }
-            i += 1 + usize::from(contact.friction.is_some());
-        }
-        problem.scale_friction();
-        for (start, &slot) in problem.lambda.iter_mut().zip(&self.slots) {
-            *start = self.multipliers[slot];
-        }
-        let result = problem.solve(step, time);
-        if result.is_ok() {
-            self.inertia.react(&self.rows, &problem.lambda, &mut self.free);
-            self.multipliers.fill(0.0);
-            for (&slot, &lambda) in self.slots.iter().zip(&problem.lambda) {
-                self.multipliers[slot] = lambda;
-            }
-        }
-        self.sets.put_back(problem);
-        result
+        Ok(solved)
     }
 
-    /// Operations of the free velocity.
-    fn free_operations(&self) -> OperationCounts {
+    /// The problem of the last step.
+    fn problem(&self) -> Option<&StepProblem> {
+        self.sets.current().filter(|_| !self.active.rows.is_empty())
+    }
+
+    /// Operations of the last step outside its problem: it is done again in the counting arithmetic, all
+    /// data being numbers that count.
+    fn operations(&self) -> u64 {
         let tally = Tally::new();
-        let variables = |x: &[f64]| x.iter().map(|&x| tally.variable(x)).collect::<Vec<_>>();
-        let (q, v) = (variables(&self.q), variables(&self.v));
-        let mut impulse: Vec<Counted<'_>> = vec![Counted::constant(0.0); q.len()];
-        self.impulse(|i| q[i], |i| v[i], &mut impulse);
-        for &i in &self.forced {
-            // v + M̂⁻¹ · impulse, where M̂ is diagonal
-            let _ = v[i] + Counted::constant(1.0) * impulse[i];
+        let number = |x: f64| tally.variable(x);
+        let numbers = |x: &[f64]| x.iter().map(|&x| number(x)).collect::<Vec<Counted<'_>>>();
+        let (mut q, v) = (numbers(&self.before.0), numbers(&self.before.1));
+        let (mut column, mut free) = (Column::new(number(0.0), q.len()), v.clone());
+        self.motion.free_velocity(&q, &v, &mut column, &mut free);
+        let mut active = Active::with_capacity(0, 0);
+        let takes_part = |c: usize, _| self.active.contacts.contains(&c);
+        self.motion.constrain(&q, &v, number, takes_part, &mut active);
+        if let Some(problem) = self.problem() {
+            let mut data = problem.data().zeros_like();
+            self.motion.condense(&active, &free, &mut column, &mut data);
+            let lambda = numbers(&problem.lambda);
+            self.motion.inertia.react(&active.rows, &lambda, &mut column, &mut free);
         }
-        tally.counts()
+        self.motion.advance(&mut q, &v, &free);
+        tally.counts().total()
     }
 }
 
 impl TimeStepper for MoreauJean {
     fn step(&mut self) -> Result<StepReport, DynamicsError> {
-        let Scheme { h, theta, .. } = self.scheme;
-        let (step, time) = (self.steps + 1, (self.steps + 1) as f64 * h);
-        self.fly();
+        let (step, time) = (self.steps + 1, (self.steps + 1) as f64 * self.motion.scheme.h);
+        self.motion.free_velocity(&self.q, &self.v, &mut self.column, &mut self.free);
         if let Some(i) = self.free.iter().position(|v| !v.is_finite()) {
-            let name = format!("the velocity of {}", self.system.names[i]);
+            let name = format!("the velocity of {}", self.motion.system.names[i]);
             return Err(DynamicsError::NotFinite { name, time });
         }
         self.find_contacts();
-        let solved = if self.rows.is_empty() {
+        let solved = if self.active.rows.is_empty() {
             self.multipliers.fill(0.0);
             Solved::default()
         } else {
             self.react(step, time)?
         };
         self.before.0.copy_from_slice(&self.q);
-        for ((q, v), next) in self.q.iter_mut().zip(&self.v).zip(&self.free) {
-            *q += h * (theta * next + (1.0 - theta) * v);
-        }
+        self.motion.advance(&mut self.q, &self.v, &self.free);
         std::mem::swap(&mut self.before.1, &mut self.v);
         std::mem::swap(&mut self.v, &mut self.free);
         self.steps = step;
         Ok(StepReport {
             step,
             time,
-            unknowns: self.rows.len(),
-            active: self.active.len(),
+            unknowns: self.active.rows.len(),
+            active: self.active.contacts.len(),
             iterations: solved.iterations,
             residual: solved.residual,
         })
     }
 
     fn step_size(&self) -> f64 {
-        self.scheme.h
+        self.motion.scheme.h
     }
 
     /// Each coordinate with its velocity, then the impulses of all joints and contacts.
     fn state_names(&self) -> Vec<String> {
-        let motion = self.system.names.iter().flat_map(|name| [name.clone(), format!("{name}'")]);
-        let joints = self.system.joints.iter().map(|joint| format!("r[{}]", joint.name));
-        let contacts = self.system.contacts.iter().flat_map(|contact| {
+        let system = &self.motion.system;
+        let motion = system.names.iter().flat_map(|name| [name.clone(), format!("{name}'")]);
+        let joints = system.joints.iter().map(|joint| format!("r[{}]", joint.name));
+        let contacts = system.contacts.iter().flat_map(|contact| {
             let tangential = contact.friction.map(|_| format!("rt[{}]", contact.name));
             [Some(format!("r[{}]", contact.name)), tangential].into_iter().flatten()
         });
@@ -396,24 +236,22 @@ impl TimeStepper for MoreauJean {
     }
 
     fn write_state(&self, state: &mut Vec<f64>) {
+        let system = &self.motion.system;
         state.clear();
         state.extend(self.q.iter().zip(&self.v).flat_map(|(&q, &v)| [q, v]));
-        state.extend_from_slice(&self.multipliers[..self.system.joints.len()]);
-        for (c, contact) in self.system.contacts.iter().enumerate() {
+        state.extend_from_slice(&self.multipliers[..system.joints.len()]);
+        for (c, contact) in system.contacts.iter().enumerate() {
+            let slot = self.motion.slot(c);
             let rows = 1 + usize::from(contact.friction.is_some());
-            state.extend_from_slice(&self.multipliers[self.slot(c)..self.slot(c) + rows]);
+            state.extend_from_slice(&self.multipliers[slot..slot + rows]);
         }
     }
 
     fn energy(&self) -> Option<f64> {
-        Some(self.system.energy(&self.q, &self.v))
+        Some(self.motion.system.energy(&self.q, &self.v))
     }
 
-    fn size(&self) -> StepSize {
-        let problem = if self.rows.is_empty() { None } else { self.sets.current() };
-        let nonzeros = problem.map_or(0, StepProblem::nonzeros);
-        let of_problem = problem.map(StepProblem::operations);
-        let counts = std::iter::once(self.free_operations()).chain(of_problem);
-        StepSize::new(self.rows.len(), nonzeros, counts)
+    fn size(&self) -> Result<StepSize, DynamicsError> {
+        StepSize::of(self.operations(), self.problem())
     }
 }

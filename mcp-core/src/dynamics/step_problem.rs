@@ -5,7 +5,7 @@ use super::sparse_rows::SparseRows;
 use crate::globalise::Stall;
 use crate::model::{Equation, Model, Reader, Set, Shape, Variable};
 use crate::problem::{AdProblem, Problem};
-use crate::scalar::{OperationCounts, Real, Scalar};
+use crate::scalar::{Real, Scalar};
 use crate::solver::{Method, Options, Solution, Solver};
 
 /// How an unknown `λ_i` and `y_i = q_i + Σ_j M_ij λ_j` belong together.
@@ -26,6 +26,22 @@ pub(super) struct Unknown {
     pub(super) law: Law,
 }
 
+/// The numbers of a step problem, in any arithmetic.
+pub(super) struct StepData<D = f64> {
+    pub(super) q: Vec<D>,
+    pub(super) m: SparseRows<D>,
+    /// `1 / M_ii` of friction rows.
+    pub(super) rho: Vec<D>,
+}
+
+impl StepData {
+    /// Place for the same numbers in another arithmetic.
+    pub(super) fn zeros_like<D: Scalar>(&self) -> StepData<D> {
+        let zeros = vec![D::constant(0.0); self.q.len()];
+        StepData { q: zeros.clone(), m: self.m.zeros_like(), rho: zeros }
+    }
+}
+
 /// The problem of one step, affine but for friction:
 ///
 /// ```text
@@ -39,16 +55,14 @@ pub(super) struct Unknown {
 pub(super) struct StepModel {
     shape: Shape,
     laws: Vec<Law>,
-    pub(super) q: Vec<f64>,
-    pub(super) m: SparseRows,
-    /// `1 / M_ii` of friction rows.
-    rho: Vec<f64>,
+    pub(super) data: StepData,
 }
 
 impl StepModel {
-    /// `y_i` at `λ`.
+    /// `y_i = Σ_j M_ij λ_j + q_i`.
     fn y<D: Scalar>(&self, i: usize, lambda: impl Fn(usize) -> D) -> D {
-        self.m.times(i, lambda).shift(self.q[i])
+        let StepData { q, m, .. } = &self.data;
+        m.times(i, lambda).map_or(D::constant(q[i]), |y| y.shift(q[i]))
     }
 }
 
@@ -63,7 +77,7 @@ impl Model for StepModel {
             Law::Bounds => y,
             Law::Coulomb { normal, mu } => {
                 let (r, limit) = (read.var(i), mu * read.var(normal));
-                r - (r - self.rho[i] * y).clamp(-limit, limit)
+                r - (r - self.data.rho[i] * y).clamp(-limit, limit)
             }
         }
     }
@@ -92,6 +106,8 @@ pub(super) struct StepProblem {
     second: Option<Box<Solver>>,
     /// Start of the next solve, and its solution.
     pub(super) lambda: Vec<f64>,
+    /// `F` there.
+    y: Vec<f64>,
     names: String,
 }
 
@@ -114,9 +130,11 @@ impl StepProblem {
         let model = StepModel {
             shape,
             laws: unknowns.iter().map(|u| u.law).collect(),
-            q: vec![0.0; n],
-            m: SparseRows::with_columns(columns),
-            rho: vec![0.0; n],
+            data: StepData {
+                q: vec![0.0; n],
+                m: SparseRows::with_columns(columns),
+                rho: vec![0.0; n],
+            },
         };
         let names: Vec<&str> = unknowns.iter().map(|u| u.name.as_str()).collect();
         Ok(StepProblem {
@@ -124,24 +142,30 @@ impl StepProblem {
             solver: Solver::new(options.clone())?,
             second: None,
             lambda: vec![0.0; n],
+            y: vec![0.0; n],
             names: names.join(", "),
         })
     }
 
     /// The data of the step, to be changed.
-    pub(super) fn model_mut(&mut self) -> &mut StepModel {
-        self.problem.model_mut()
+    pub(super) fn data_mut(&mut self) -> &mut StepData {
+        &mut self.problem.model_mut().data
     }
 
-    /// `M` is complete: scales of friction rows.
-    pub(super) fn scale_friction(&mut self) {
-        let model = self.problem.model_mut();
-        for (i, law) in model.laws.iter().enumerate() {
-            if let Law::Coulomb { .. } = law {
-                let diagonal = model.m.row(i).find(|&(j, _)| j == i).map_or(0.0, |(_, m)| m);
-                model.rho[i] = 1.0 / diagonal;
-            }
-        }
+    /// The data of the step.
+    pub(super) fn data(&self) -> &StepData {
+        &self.problem.model().data
+    }
+
+    /// Pairs with `F = 0` at the last solution: `|F_i|` is below the distance of `λ_i` from its bounds.
+    pub(super) fn inner_pairs(&self) -> usize {
+        let bounds = self.problem.shape().bounds();
+        let inner = |&i: &usize| {
+            let (below, above) =
+                (self.lambda[i] - bounds.lower()[i], bounds.upper()[i] - self.lambda[i]);
+            self.y[i].abs() < below.min(above)
+        };
+        (0..self.lambda.len()).filter(inner).count()
     }
 
     /// Solves from `lambda`, where the solution is put; `step` and `time` name a failure.
@@ -165,6 +189,7 @@ impl StepProblem {
             return Err(DynamicsError::NotSolved { step, time, active, status, residual });
         }
         self.lambda.copy_from_slice(&solution.z);
+        self.y.copy_from_slice(&solution.f);
         Ok(solved)
     }
 
@@ -173,9 +198,9 @@ impl StepProblem {
         self.problem.pattern().nnz()
     }
 
-    /// Operations of one `F`.
-    pub(super) fn operations(&self) -> OperationCounts {
-        self.problem.operations()
+    /// Operations of one `F` and one `J`.
+    pub(super) fn operations(&self) -> Result<u64, DynamicsError> {
+        Ok(self.problem.operations().total() + self.problem.jacobian_operations()?)
     }
 }
 

@@ -1,7 +1,7 @@
 //! [`TimeStepper`]: what all schemes have in common.
 
 use super::error::DynamicsError;
-use crate::scalar::OperationCounts;
+use super::step_problem::StepProblem;
 
 /// What a step did.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -13,7 +13,8 @@ pub struct StepReport {
     pub time: f64,
     /// Unknowns of its complementarity problem; 0: there was none to solve.
     pub unknowns: usize,
-    /// Contacts (of mechanics) or pairs that took part.
+    /// Of mechanics the contacts that took part; of a linear system the pairs whose multiplier is
+    /// strictly between its bounds, so that `y = 0`: diodes that conduct, relays that slide, equations.
     pub active: usize,
     /// Iterations of the solver.
     pub iterations: usize,
@@ -21,7 +22,7 @@ pub struct StepReport {
     pub residual: f64,
 }
 
-/// Size of the complementarity problem of a step, and what its functions cost.
+/// Size of the complementarity problem of a step, and what the whole step costs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct StepSize {
@@ -29,18 +30,25 @@ pub struct StepSize {
     pub unknowns: usize,
     /// Structural nonzeros of the Jacobian.
     pub nonzeros: usize,
-    /// Operations of the free motion and of one `F`.
+    /// Operations of the step: free motion, gaps, rows, the numbers of its problem, one `F` and one `J`
+    /// of it, and the state after it. What the solver does between evaluations is not counted.
     pub operations: u64,
 }
 
 impl StepSize {
-    pub(super) fn new(
-        unknowns: usize,
-        nonzeros: usize,
-        counts: impl IntoIterator<Item = OperationCounts>,
-    ) -> Self {
-        let operations = counts.into_iter().map(|counts| counts.total()).sum();
-        StepSize { unknowns, nonzeros, operations }
+    /// By the operations outside the problem, if there is one.
+    pub(super) fn of(
+        operations: u64,
+        problem: Option<&StepProblem>,
+    ) -> Result<Self, DynamicsError> {
+        Ok(match problem {
+            None => StepSize { unknowns: 0, nonzeros: 0, operations },
+            Some(problem) => StepSize {
+                unknowns: problem.lambda.len(),
+                nonzeros: problem.nonzeros(),
+                operations: operations + problem.operations()?,
+            },
+        })
     }
 }
 
@@ -72,6 +80,9 @@ pub trait TimeStepper {
     /// Stored energy, if the system has one.
     fn energy(&self) -> Option<f64>;
 
-    /// Size of the problem of the last step.
-    fn size(&self) -> StepSize;
+    /// Size of the problem of the last step, and operations of that step.
+    ///
+    /// # Errors
+    /// None in practice: those of [`jacobian_operations`](crate::AdProblem::jacobian_operations).
+    fn size(&self) -> Result<StepSize, DynamicsError>;
 }

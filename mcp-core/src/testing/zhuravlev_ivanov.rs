@@ -134,8 +134,10 @@ impl TimeStepper for ZhuravlevIvanovStepper {
         None
     }
 
-    fn size(&self) -> StepSize {
-        let (nonzeros, operations) = (self.problem.pattern().nnz(), self.problem.operations());
-        StepSize { unknowns: 4, nonzeros, operations: operations.total() }
+    fn size(&self) -> Result<StepSize, DynamicsError> {
+        let of_problem = self.problem.operations().total() + self.problem.jacobian_operations()?;
+        // And two subtractions for the state.
+        let (nonzeros, operations) = (self.problem.pattern().nnz(), of_problem + 2);
+        Ok(StepSize { unknowns: 4, nonzeros, operations })
     }
 }
