@@ -62,7 +62,7 @@ use Method::{NewtonFb, NewtonMinFb};
 use Way::{Alone, Cold, Multigrid, Nested, Simplicial};
 
 /// Every line, in order.
-pub(crate) const CASES: [Case; 38] = [
+pub(crate) const CASES: [Case; 39] = [
     case(M, 40, Cold(NewtonMinFb), (Some(0.020), None)),
     case(M, 40, Cold(Method::Robust), (Some(0.020), None)),
     case(S, 40, Cold(Method::Robust), (Some(0.020), None)),
@@ -92,6 +92,7 @@ pub(crate) const CASES: [Case; 38] = [
     case(Kind::Traffic, 4, Cold(NewtonMinFb), (None, None)),
     case(Kind::Traffic, 4, Simplicial(NewtonFb), (None, None)),
     case(Kind::Traffic, 10, Cold(NewtonFb), (None, None)),
+    case(S, 316, Alone(Stage::Crash), (None, None)),
     case(S, 316, Alone(Stage::Semismooth), (None, None)),
     case(S, 316, Alone(Stage::Sized), (None, None)),
     case(S, 316, Alone(Stage::Smoothing), (None, None)),

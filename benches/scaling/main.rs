@@ -6,7 +6,8 @@
 //! derivatives included, the evaluations and factorisations of the last level, its fill (entries of the
 //! factors by those of the matrix; multigrid has no factors), and the iterations of every level; then
 //! how time per unknown grows. The picture is `target/scaling.svg`. `-- phases spring 300` prints the time
-//! of each phase instead, `-- siconos` what Siconos takes (`SICONOS_HARNESS`).
+//! of each phase instead, `-- phases derivatives 1000` what `F + J` costs by the kind of row, `-- siconos`
+//! what Siconos takes (`SICONOS_HARNESS`).
 
 #![allow(clippy::print_stdout, reason = "a benchmark prints its results")]
 

@@ -1,7 +1,7 @@
 //! The problems of the table, written with `mcp!`.
 
 use crate::roads::Roads;
-use mcp_core::{ModelError, mcp};
+use mcp_core::{ModelError, Real, Scalar, mcp};
 
 mcp! {
     /// A membrane under the load −10 above two hills: `−Δu = −10 ⟂ u >= ψ` on the unit square, times
@@ -28,6 +28,57 @@ mcp! {
                 - z.at(i, j - 1).or(0.3) - z.at(i, j + 1).or(0.3)
                 + h * h * (z[i, j] * z[i, j] * z[i, j] * 0.5 + 10.0)
             complements z[i, j];
+    }
+}
+
+mcp! {
+    /// Soap film pulled down above a floor, whose five reads are all nonlinear:
+    /// `Σ d/√(1 + d²/h²) + 10 h² ⟂ z >= 0` over the differences `d` to the four neighbours, `z = 0.3` on the rim.
+    pub(crate) model Film {
+        data { nodes: usize, h: f64 }
+        var z[i in nodes, j in nodes] >= 0.0 start 0.3;
+
+        eq force[i in nodes, j in nodes]:
+            pull(z[i, j] - z.at(i - 1, j).or(0.3), h) + pull(z[i, j] - z.at(i + 1, j).or(0.3), h)
+                + pull(z[i, j] - z.at(i, j - 1).or(0.3), h) + pull(z[i, j] - z.at(i, j + 1).or(0.3), h)
+                + 10.0 * h * h
+            complements z[i, j];
+    }
+}
+
+/// Of an edge whose ends differ by `d`.
+fn pull<D: Scalar>(d: Real<D>, h: f64) -> Real<D> {
+    d / (1.0 + (d / h) * (d / h)).sqrt()
+}
+
+mcp! {
+    /// A cheap row with five nonlinear reads: `5 z² − Σ w² + 10 h² ⟂ z >= 0` over the four neighbours `w`.
+    pub(crate) model Squares {
+        data { nodes: usize, h: f64 }
+        var z[i in nodes, j in nodes] >= 0.0 start 0.3;
+
+        eq force[i in nodes, j in nodes]:
+            5.0 * z[i, j] * z[i, j] - square(z.at(i - 1, j).or(0.3)) - square(z.at(i + 1, j).or(0.3))
+                - square(z.at(i, j - 1).or(0.3)) - square(z.at(i, j + 1).or(0.3)) + 10.0 * h * h
+            complements z[i, j];
+    }
+}
+
+fn square<D: Scalar>(z: Real<D>) -> Real<D> {
+    z * z
+}
+
+impl Film {
+    /// On `k × k` inner nodes.
+    pub(crate) fn on(k: usize) -> Result<Self, ModelError> {
+        Film::builder().nodes(k).h(1.0 / (k as f64 + 1.0)).build()
+    }
+}
+
+impl Squares {
+    /// On `k × k` inner nodes.
+    pub(crate) fn on(k: usize) -> Result<Self, ModelError> {
+        Squares::builder().nodes(k).h(1.0 / (k as f64 + 1.0)).build()
     }
 }
 

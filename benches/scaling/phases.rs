@@ -1,6 +1,7 @@
-//! Where the time of one problem goes: `cargo bench --bench scaling -- phases spring 300`.
+//! Where the time of one problem goes: `cargo bench --bench scaling -- phases spring 300`, and what `F + J`
+//! costs by `F`: `-- phases derivatives 1000`.
 
-use crate::models::{Membrane, Spring};
+use crate::models::{Film, Membrane, Spring, Squares};
 use mcp_core::linalg::{FaerCholesky, FaerSparseLu, LinearSolver};
 use mcp_core::{AdProblem, Grid, Model, MultigridCg, Problem, examine};
 use std::error::Error;
@@ -14,8 +15,32 @@ pub(crate) fn print(kind: &str, k: usize) -> Result<(), Box<dyn Error>> {
     match kind {
         "membrane" => of(&Membrane::on(k)?, k),
         "spring" => of(&Spring::on(k)?, k),
-        _ => Err(format!("`{kind}` is neither `membrane` nor `spring`").into()),
+        "derivatives" => {
+            derivatives("no nonlinear read", &Membrane::on(k)?)?;
+            derivatives("one", &Spring::on(k)?)?;
+            derivatives("five, cheap", &Squares::on(k)?)?;
+            derivatives("five, with roots", &Film::on(k)?)
+        }
+        _ => Err(format!("`{kind}` is none of `membrane`, `spring`, `derivatives`").into()),
     }
+}
+
+/// `F + J` by `F` for rows that read their neighbours on a grid.
+fn derivatives<M: Model>(rows: &str, model: &M) -> Result<(), Box<dyn Error>> {
+    let (seconds, problem) = timed(|| AdProblem::new(model));
+    let mut problem = problem?;
+    let z: Vec<f64> = (0..problem.shape().n()).map(|j| 0.3 + 0.01 * (j % 7) as f64).collect();
+    let (mut f, mut jac) = (vec![0.0; z.len()], vec![0.0; problem.pattern().nnz()]);
+    let residual = fastest(|| problem.evaluate(black_box(&z), Some(&mut f), None));
+    let both = fastest(|| problem.evaluate(black_box(&z), Some(&mut f), Some(&mut jac)));
+    let each = |seconds: f64| seconds / z.len() as f64 * 1e9;
+    println!(
+        "{rows:>18}: new {seconds:.3} s, F {:.1} ns a row, F + J {:.1} ns: {:.2} F",
+        each(residual),
+        each(both),
+        both / residual
+    );
+    Ok(())
 }
 
 fn of<M: Model>(model: &M, k: usize) -> Result<(), Box<dyn Error>> {

@@ -160,6 +160,16 @@ pub trait LinearSolver {
     /// `rhs ← H⁻¹ rhs`.
     fn solve(&mut self, rhs: &mut [f64]);
 
+    /// [`solve`](Self::solve) with memory that is lent for the time of the call, of any length and with any
+    /// numbers in it, which are lost. For iterative solvers; the default leaves it alone.
+    fn solve_with(&mut self, rhs: &mut [f64], _lent: &mut [f64]) {
+        self.solve(rhs);
+    }
+
+    /// Gives back the memory of the factors, which [`factor`](Self::factor) takes anew: nothing else may
+    /// follow. For solvers whose factors cost little; the default keeps them.
+    fn release(&mut self) {}
+
     /// `rhs ← H⁻ᵀ rhs`.
     fn solve_transposed(&mut self, rhs: &mut [f64]);
 }

@@ -298,11 +298,12 @@ impl ShapeBuilder {
         number(definitions.iter_mut().map(|d| &mut d.family));
         number(parameters.iter_mut().map(|p| &mut p.family));
         number(reports.iter_mut());
-        let mut values = Vec::new();
-        for parameter in &parameters {
-            extend(&mut values, &parameter.family, &parameter.values, "value")?;
+        let (mut values, mut families) = (Vec::new(), Vec::with_capacity(parameters.len()));
+        for parameter in parameters {
+            extend(&mut values, &parameter.family, parameter.values, "value")?;
+            families.push(parameter.family);
         }
-        let parameters: Vec<Family> = parameters.into_iter().map(|p| p.family).collect();
+        let parameters = families;
         check_parameters(&parameters, &values)?;
         let equations = pair(equations, &variables)?;
         let definitions = definitions.into_iter().map(|d| d.family).collect();
@@ -344,12 +345,13 @@ pub(super) fn number<'a>(families: impl Iterator<Item = &'a mut Family>) {
 fn extend(
     all: &mut Vec<f64>,
     family: &Family,
-    values: &Values,
+    values: Values,
     what: &str,
 ) -> Result<(), ModelError> {
     match values {
-        Values::Same(value) => all.extend(std::iter::repeat_n(*value, family.len)),
-        Values::Each(each) if each.len() == family.len => all.extend_from_slice(each),
+        Values::Same(value) => all.extend(std::iter::repeat_n(value, family.len)),
+        Values::Each(each) if each.len() == family.len && all.is_empty() => *all = each,
+        Values::Each(each) if each.len() == family.len => all.extend_from_slice(&each),
         Values::Each(each) => {
             return Err(ModelError::Length {
                 what: format!("{what} of {}", family.name),
@@ -366,12 +368,13 @@ fn number_variables(
 ) -> Result<(Vec<Family>, Bounds, Vec<f64>), ModelError> {
     number(variables.iter_mut().map(|v| &mut v.family));
     let (mut lower, mut upper, mut start) = (Vec::new(), Vec::new(), Vec::new());
-    for variable in &variables {
-        extend(&mut lower, &variable.family, &variable.lower, "lower bound")?;
-        extend(&mut upper, &variable.family, &variable.upper, "upper bound")?;
-        extend(&mut start, &variable.family, &variable.start, "start")?;
+    let mut families = Vec::with_capacity(variables.len());
+    for variable in variables {
+        extend(&mut lower, &variable.family, variable.lower, "lower bound")?;
+        extend(&mut upper, &variable.family, variable.upper, "upper bound")?;
+        extend(&mut start, &variable.family, variable.start, "start")?;
+        families.push(variable.family);
     }
-    let families: Vec<Family> = variables.into_iter().map(|v| v.family).collect();
     let bounds = checked_bounds(lower, upper, |j| name_among(&families, j))?;
     check_start(&start, |j| name_among(&families, j))?;
     bounds.project(&mut start);

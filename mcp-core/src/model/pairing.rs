@@ -40,7 +40,8 @@ pub(super) fn pair(
                 count: target.len,
             });
         }
-        let pairs = if listed.is_empty() {
+        let is_all = listed.iter().enumerate().all(|(index, &k)| index == k);
+        let pairs = if is_all {
             Paired::From(target.offset)
         } else {
             Paired::List(listed.into_iter().map(|k| small(target.offset + k)).collect())

@@ -72,12 +72,12 @@ pub(super) enum RowOf {
 }
 
 impl RowOf {
-    /// From a list of the rows.
-    fn new(rows: &[Option<usize>]) -> Self {
-        if rows.iter().enumerate().all(|(i, row)| *row == Some(i)) {
-            return RowOf::Same;
-        }
-        RowOf::List(rows.iter().map(|row| NonZero::new(small((*row)? + 1))).collect())
+    /// From a list of the rows, counted from 1.
+    fn new(rows: Vec<Option<NonZero<Index>>>) -> Self {
+        let is_same = |(i, row): (usize, &Option<NonZero<Index>>)| {
+            row.is_some_and(|row| row.get() as usize == i + 1)
+        };
+        if rows.iter().enumerate().all(is_same) { RowOf::Same } else { RowOf::List(rows) }
     }
 
     fn variable(&self, i: usize) -> Option<usize> {
@@ -129,7 +129,7 @@ impl Shape {
         parameter_values: Vec<f64>,
     ) -> Result<Self, ModelError> {
         let Structure { variables, equations, .. } = &structure;
-        let mut row_of: Vec<Option<usize>> = vec![None; bounds.n()];
+        let mut row_of: Vec<Option<NonZero<Index>>> = vec![None; bounds.n()];
         let row_name = |row: usize| {
             let e = equations.partition_point(|e| e.family.offset + e.family.len <= row);
             equations[e].family.element_name(row - equations[e].family.offset)
@@ -138,16 +138,18 @@ impl Shape {
             for index in 0..equation.family.len {
                 let (row, variable) =
                     (equation.family.offset + index, equation.pairs.variable(index));
-                if let Some(first) = row_of[variable].replace(row) {
+                let first = row_of[variable];
+                row_of[variable] = NonZero::new(small(row + 1));
+                if let Some(first) = first {
                     return Err(ModelError::PairedTwice {
                         variable: name_among(variables, variable),
-                        first: row_name(first),
+                        first: row_name(first.get() as usize - 1),
                         second: row_name(row),
                     });
                 }
             }
         }
-        structure.row_of = RowOf::new(&row_of);
+        structure.row_of = RowOf::new(row_of);
         let (structure, bounds, start) = (Arc::new(structure), Arc::new(bounds), Arc::new(start));
         let shape = Shape { structure, bounds, start, parameter_values };
         shape.check_paired(&shape.bounds)?;

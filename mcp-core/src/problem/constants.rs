@@ -6,9 +6,11 @@
 
 use super::Pattern;
 use super::local::SlotTable;
+use super::packed::Packed;
 use super::plan::Plan;
 use super::record::small;
 use super::rows::{JetRows, Kind, RowsIn};
+use super::runs::RowPlan;
 use crate::model::{Give, NO_LANE, Point, Reader, Row, Slots};
 use crate::scalar::{Dependence, Real, Scalar, Tape, TapeMemory, Taped};
 use std::cell::{Cell, RefCell};
@@ -17,7 +19,7 @@ use std::cell::{Cell, RefCell};
 #[derive(Debug, Default)]
 pub(super) struct Constants {
     /// By the entries of the Jacobian.
-    pub(super) jacobian: Vec<f64>,
+    pub(super) jacobian: Packed,
     /// By the entries of the gradients of definitions.
     pub(super) gradients: Vec<f64>,
     /// The parameters they were found with.
@@ -30,7 +32,7 @@ impl Constants {
     /// Values that start from the constants, from 0 without.
     pub(super) fn start(&self, jac: &mut [f64], gradients: &mut [f64]) {
         if self.exist {
-            jac.copy_from_slice(&self.jacobian);
+            self.jacobian.copy_to(jac);
             gradients.copy_from_slice(&self.gradients);
         } else {
             jac.fill(0.0);
@@ -40,38 +42,38 @@ impl Constants {
 
     /// No constants yet, with these parameters.
     pub(super) fn clear(&mut self, plan: &Plan, pattern: &Pattern, parameters: &[f64]) {
-        for (values, size) in
-            [(&mut self.jacobian, pattern.nnz()), (&mut self.gradients, plan.gradient_entries())]
-        {
-            values.clear();
-            values.resize(size, 0.0);
-        }
+        self.jacobian.clear(pattern.nnz());
+        self.gradients.clear();
+        self.gradients.resize(plan.gradient_entries(), 0.0);
         self.parameters.clear();
         self.parameters.extend_from_slice(parameters);
     }
 
-    /// Gives the memory back if there are none.
+    /// All are found: memory that is not needed is given back.
     pub(super) fn shrink(&mut self) {
-        if !self.exist {
+        if self.exist {
+            self.jacobian.pack();
+        } else {
             *self = Constants::default();
         }
     }
 
-    /// Adds what is constant in the row that was surveyed last.
+    /// Adds what is constant in the row that was surveyed last; the other derivatives are `carried`.
     pub(super) fn add(
         &mut self,
         plan: &Plan,
-        row: (Kind, usize),
+        (row, carried): ((Kind, usize), RowPlan<'_>),
         pattern: &Pattern,
         survey: &Survey,
     ) {
+        let [variables, definitions, _] = carried.split();
         for read in &survey.variables {
-            if !plan.carries_variable(row, read.number) {
+            if variables.binary_search(&read.number).is_err() {
                 self.add_one(row.0, plan.place(row, read.number, pattern), read.derivative);
             }
         }
         for read in &survey.definitions {
-            if plan.carries_definition(row, read.number) {
+            if plan.supports.find(definitions, read.number) {
                 continue;
             }
             let (d, derivative) = (read.number as usize, read.derivative);
@@ -89,7 +91,7 @@ impl Constants {
     fn add_one(&mut self, kind: Kind, place: usize, derivative: f64) {
         self.exist = true;
         match kind {
-            Kind::Equation => self.jacobian[place] += derivative,
+            Kind::Equation => self.jacobian.add(place, derivative),
             Kind::Definition => self.gradients[place] += derivative,
         }
     }

@@ -7,9 +7,9 @@
 //!   one lane each (at most 16 at a time, an even number): cost `⌈n/16⌉` passes;
 //! - a model given row by row is run row by row, and a row carries only the lanes of the variables
 //!   and definitions by which its derivative is not the same at every point; the others are found
-//!   once and copied. `J = ∂f/∂z + ∂f/∂d · ∂d/∂z` is assembled sparsely. Cost: one evaluation with 2
-//!   lanes for up to 2, with 8 for up to 8, and above that one evaluation on a tape with one sweep
-//!   back, whatever the number.
+//!   once and copied. `J = ∂f/∂z + ∂f/∂d · ∂d/∂z` is assembled sparsely. Cost: one evaluation with 8
+//!   lanes for up to 8, and above that one evaluation on a tape with one sweep back, whatever the
+//!   number.
 //!
 //! A user's compiler meets every row once for each of these and once in plain numbers. The pattern
 //! comes from the reads of every row, recorded once.
@@ -22,10 +22,12 @@ mod derived;
 mod lanes;
 mod local;
 mod operations;
+mod packed;
 mod pattern;
 mod plan;
 mod record;
 mod rows;
+mod runs;
 
 pub use ad::{AdProblem, Engine};
 pub use counting::{Counting, Passes};

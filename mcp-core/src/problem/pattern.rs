@@ -6,6 +6,9 @@ use std::sync::Arc;
 /// Rows, columns and positions as they are stored: half the memory of `usize`.
 pub(crate) type Index = u32;
 
+/// Order above which the diagonal of a pattern that has it is looked up instead of listed.
+const LONG: usize = 4096;
+
 /// An index as it is stored.
 ///
 /// # Panics
@@ -196,10 +199,9 @@ impl Pattern {
 
     /// This pattern with the whole diagonal, where each old entry went, and where the diagonal is.
     pub fn with_diagonal(&self) -> WithDiagonal {
-        let find =
-            |pattern: &Pattern| (0..self.n()).map(|j| pattern.position(j, j).map(small)).collect();
-        let complete: Option<Vec<Index>> = find(self);
-        if let Some(diagonal) = complete {
+        if (0..self.n()).all(|j| self.position(j, j).is_some()) {
+            let listed = if self.n() > LONG { 0 } else { self.n() };
+            let diagonal = (0..listed).filter_map(|j| self.position(j, j).map(small)).collect();
             return WithDiagonal { pattern: self.clone(), entries: None, diagonal };
         }
         let columns = (0..self.n()).map(|j| self.column_rows(j).chain([j]).collect());
@@ -217,6 +219,7 @@ pub struct WithDiagonal {
     pattern: Pattern,
     /// New position of every old entry; `None` if the old pattern had the diagonal.
     entries: Option<Vec<Index>>,
+    /// Empty where it is looked up.
     diagonal: Vec<Index>,
 }
 
@@ -238,9 +241,15 @@ impl WithDiagonal {
     }
 
     /// Position of the diagonal entry of column `j`.
+    ///
+    /// # Panics
+    /// If there is no column `j`.
     #[inline]
     pub fn diagonal(&self, j: usize) -> usize {
-        self.diagonal[j] as usize
+        match self.diagonal.get(j) {
+            Some(&k) => k as usize,
+            None => self.pattern.position(j, j).expect("the pattern has the diagonal"),
+        }
     }
 }
 

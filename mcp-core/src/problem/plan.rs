@@ -2,56 +2,11 @@
 
 use super::Pattern;
 use super::constants::{Constants, Read, Survey};
-use super::record::{Recorded, RowReads, all_rows, block, small};
+use super::record::{Recorded, all_rows, block, small};
 use super::rows::{JetRows, Kind};
-use crate::model::{Point, Row, Shape};
+use super::runs::{RowList, Sequence};
+use crate::model::{Point, Shape};
 use std::ops::Range;
-
-/// By what the derivatives of one row are not constant: parts of the lists of [`Plan`].
-pub(super) struct RowPlan<'a> {
-    /// Variables read: their lanes come first.
-    pub(super) variables: &'a [u32],
-    /// Definitions read: their lanes follow.
-    pub(super) definitions: &'a [u32],
-    /// Where derivatives are added up: one target for each variable read, then, for each support
-    /// among the definitions read, one for each of its variables.
-    pub(super) targets: &'a [u32],
-}
-
-impl RowPlan<'_> {
-    #[inline]
-    pub(super) fn lanes(&self) -> usize {
-        self.variables.len() + self.definitions.len()
-    }
-}
-
-/// Rows of a kind: entry and length of each family, and where the ranges of each row end.
-#[derive(Debug, Default)]
-pub(super) struct Sequence {
-    pub(super) blocks: Vec<(usize, usize)>,
-    /// Where the ranges of the first row start.
-    pub(super) start: [u32; 3],
-    pub(super) ends: Vec<[u32; 3]>,
-}
-
-impl Sequence {
-    /// Range `k` of row `number`: variables, definitions, targets.
-    fn range(&self, number: usize, k: usize) -> Range<usize> {
-        let start = number.checked_sub(1).map_or(&self.start, |before| &self.ends[before]);
-        start[k] as usize..self.ends[number][k] as usize
-    }
-
-    /// Whether a row that is already known carries any derivative.
-    fn is_carried(&self, number: u32) -> bool {
-        let of = |k| !self.range(number as usize, k).is_empty();
-        of(0) || of(1)
-    }
-
-    /// All rows in the order of their numbers.
-    pub(super) fn rows(&self) -> impl Iterator<Item = Row> + '_ {
-        all_rows(self.blocks.iter().copied())
-    }
-}
 
 /// Variables that definitions depend on: each list once, however many definitions have it.
 #[derive(Debug, Default)]
@@ -84,17 +39,24 @@ impl Supports {
     }
 }
 
+/// The variables that rows are paired with, by the numbers of the rows.
+#[derive(Debug, Default)]
+enum Paired {
+    /// That of the same number.
+    #[default]
+    Same,
+    /// Listed.
+    List(Vec<u32>),
+}
+
 /// Who reads what and where derivatives go; fixed for a problem.
+///
+/// Targets are positions in the Jacobian for equations, in the own gradient for definitions.
 #[derive(Debug, Default)]
 pub(super) struct Plan {
     pub(super) equations: Sequence,
     pub(super) definitions: Sequence,
-    pub(super) variable_of_row: Vec<u32>,
-    pub(super) variables_read: Vec<u32>,
-    /// Those of a row in the order of their supports.
-    pub(super) definitions_read: Vec<u32>,
-    /// Positions in the Jacobian for equations, in the own gradient for definitions.
-    pub(super) targets: Vec<u32>,
+    paired: Paired,
     /// Where the gradient of each definition stands among all.
     pub(super) gradient_of: Vec<Range<usize>>,
     pub(super) supports: Supports,
@@ -111,11 +73,12 @@ impl Plan {
     ) -> (Self, Constants) {
         let supports = &recorded.definition_supports;
         let row_count = shape.row_count();
-        let mut plan = Plan {
-            variable_of_row: (0..row_count).map(|r| small(shape.variable_of_row(r))).collect(),
-            supports: Supports::new(supports),
-            ..Plan::default()
-        };
+        let is_same = (0..row_count).all(|row| shape.variable_of_row(row) == row);
+        let mut plan = Plan { supports: Supports::new(supports), ..Plan::default() };
+        if !is_same {
+            let variables = (0..row_count).map(|row| small(shape.variable_of_row(row)));
+            plan.paired = Paired::List(variables.collect());
+        }
         for support in supports {
             let start = plan.gradient_of.last().map_or(0, |range| range.end);
             plan.gradient_of.push(start..start + support.len());
@@ -128,73 +91,82 @@ impl Plan {
             constants.clear(&plan, pattern, parameters);
         }
         let mut values = vec![0.0; supports.len()];
+        let mut is_carried = vec![false; supports.len()];
         let (mut variables, mut definitions) = (Vec::new(), Vec::new());
+        let mut list = RowList::default();
         for (kind, reads) in
             [(Kind::Definition, &recorded.definitions), (Kind::Equation, &recorded.rows)]
         {
-            plan.sequence_mut(kind).start = plan.here();
             let blocks = plan.sequence(kind).blocks.clone();
             for (number, row) in all_rows(blocks.into_iter()).enumerate() {
-                let Some(rows) = rows else {
-                    plan.push(kind, number, reads.row(number), pattern);
-                    continue;
-                };
-                let point = Point { z: shape.start(), definitions: &values, parameters };
-                let value = survey.run(rows, (kind, row), point);
-                if let Kind::Definition = kind {
-                    values[number] = value;
+                if let Some(rows) = rows {
+                    let point = Point { z: shape.start(), definitions: &values, parameters };
+                    let value = survey.run(rows, (kind, row), point);
+                    if let Kind::Definition = kind {
+                        values[number] = value;
+                    }
+                    numbers_of(&survey.variables, |read| !read.is_constant, &mut variables);
+                    let varies =
+                        |read: &Read| !read.is_constant || is_carried[read.number as usize];
+                    numbers_of(&survey.definitions, varies, &mut definitions);
+                } else {
+                    let own = reads.row(number);
+                    variables.clear();
+                    variables.extend_from_slice(own.variables);
+                    definitions.clear();
+                    definitions.extend_from_slice(own.definitions);
                 }
-                let is_carried = |d: u32| plan.definitions.is_carried(d);
-                numbers_of(&survey.variables, |read| !read.is_constant, &mut variables);
-                let varies = |read: &Read| !read.is_constant || is_carried(read.number);
-                numbers_of(&survey.definitions, varies, &mut definitions);
-                let carried = RowReads { variables: &variables, definitions: &definitions };
-                plan.push(kind, number, carried, pattern);
-                constants.add(&plan, (kind, number), pattern, survey);
+                plan.list((kind, number), &variables, &mut definitions, pattern, &mut list);
+                let row = list.row();
+                if rows.is_some() {
+                    constants.add(&plan, ((kind, number), row), pattern, survey);
+                }
+                if let Kind::Definition = kind {
+                    is_carried[number] = row.lanes() > 0;
+                }
+                plan.sequence_mut(kind).push(row);
             }
+            plan.sequence_mut(kind).shrink();
         }
         constants.shrink();
         (plan, constants)
     }
 
-    /// What row `number` carries, which starts where the last one ended.
+    /// The variable that equation `row` is paired with.
     #[inline]
-    pub(super) fn row<'a>(
-        &'a self,
-        rows: &Sequence,
-        number: usize,
-        start: &mut [u32; 3],
-    ) -> RowPlan<'a> {
-        let end = rows.ends[number];
-        let range = |k: usize| start[k] as usize..end[k] as usize;
-        let row = RowPlan {
-            variables: &self.variables_read[range(0)],
-            definitions: &self.definitions_read[range(1)],
-            targets: &self.targets[range(2)],
-        };
-        *start = end;
-        row
+    pub(super) fn variable_of(&self, row: usize) -> usize {
+        match &self.paired {
+            Paired::Same => row,
+            Paired::List(variables) => variables[row] as usize,
+        }
     }
 
     /// Of every definition, then of every equation: how many lanes it carries, and how many variables
     /// the definitions among them have.
-    pub(super) fn carried(&self) -> impl Iterator<Item = (usize, usize)> {
-        [&self.definitions, &self.equations].into_iter().flat_map(move |rows| {
-            let mut here = rows.start;
-            (0..rows.ends.len()).map(move |number| {
-                let row = self.row(rows, number, &mut here);
+    pub(super) fn carried(&self) -> Vec<(usize, usize)> {
+        let mut list = RowList::default();
+        let mut carried = Vec::new();
+        for rows in [&self.definitions, &self.equations] {
+            let mut walk = rows.walk(&mut list);
+            for _ in 0..rows.len() {
+                let row = walk.next();
+                let [_, definitions, _] = row.split();
                 let size = |&d: &u32| self.gradient_of[d as usize].len();
-                (row.lanes(), row.definitions.iter().map(size).sum())
-            })
-        })
+                carried.push((row.lanes(), definitions.iter().map(size).sum()));
+            }
+        }
+        carried
     }
 
-    /// Most definitions that a row carries, and most variables of one definition.
-    pub(super) fn largest(&self) -> [usize; 2] {
-        let carried = |rows: &Sequence| (0..rows.ends.len()).map(|k| rows.range(k, 1).len()).max();
-        let definitions = carried(&self.definitions).max(carried(&self.equations));
-        let support = self.gradient_of.iter().map(Range::len).max();
-        [definitions, support].map(|size| size.unwrap_or(0))
+    /// Length of the longest list of a row, and most definitions in a list.
+    pub(super) fn most(&self) -> [usize; 2] {
+        let [definitions, equations] = [self.definitions.most(), self.equations.most()];
+        std::array::from_fn(|k| definitions[k].max(equations[k]))
+    }
+
+    /// Most variables of one definition.
+    pub(super) fn largest_support(&self) -> usize {
+        self.gradient_of.iter().map(Range::len).max().unwrap_or(0)
     }
 
     pub(super) fn sequence(&self, kind: Kind) -> &Sequence {
@@ -220,7 +192,7 @@ impl Plan {
     pub(super) fn place(&self, (kind, number): (Kind, usize), j: u32, pattern: &Pattern) -> usize {
         match kind {
             Kind::Equation => pattern
-                .position(self.variable_of_row[number] as usize, j as usize)
+                .position(self.variable_of(number), j as usize)
                 .expect("the pattern has every support"),
             Kind::Definition => {
                 let support = self.supports.variables(self.supports.of_definition[number]);
@@ -230,47 +202,29 @@ impl Plan {
         }
     }
 
-    /// Where the lists end.
-    fn here(&self) -> [u32; 3] {
-        [&self.variables_read, &self.definitions_read, &self.targets].map(|list| small(list.len()))
-    }
-
-    /// Appends what a row reads and where its derivatives go.
-    fn push(&mut self, kind: Kind, number: usize, reads: RowReads<'_>, pattern: &Pattern) {
+    /// What a row carries that reads this; definitions are brought into the order of their supports.
+    fn list(
+        &self,
+        row: (Kind, usize),
+        variables: &[u32],
+        definitions: &mut [u32],
+        pattern: &Pattern,
+        list: &mut RowList,
+    ) {
         // Targets of a definition are those in its own gradient.
-        let start = match kind {
+        let start = match row.0 {
             Kind::Equation => 0,
-            Kind::Definition => self.gradient_of[number].start,
+            Kind::Definition => self.gradient_of[row.1].start,
         };
-        let of_row = (kind, number);
-        let first = self.definitions_read.len();
-        self.variables_read.extend_from_slice(reads.variables);
-        self.definitions_read.extend_from_slice(reads.definitions);
-        let of_definition = &self.supports.of_definition;
-        self.definitions_read[first..].sort_by_key(|&d| of_definition[d as usize]);
-        let mut targets = std::mem::take(&mut self.targets);
-        let target = |&j: &u32| small(self.place(of_row, j, pattern) - start);
-        targets.extend(reads.variables.iter().map(target));
-        for group in self.supports.groups(&self.definitions_read[first..]) {
+        definitions.sort_by_key(|&d| self.supports.of_definition[d as usize]);
+        list.begin(variables, definitions);
+        let target = |&j: &u32| small(self.place(row, j, pattern) - start);
+        variables.iter().map(target).for_each(|target| list.push(target));
+        for group in self.supports.groups(definitions) {
             let support = self.supports.of_definition[group[0] as usize];
-            targets.extend(self.supports.variables(support).iter().map(target));
+            let variables = self.supports.variables(support);
+            variables.iter().map(target).for_each(|target| list.push(target));
         }
-        self.targets = targets;
-        let ends = self.here();
-        self.sequence_mut(kind).ends.push(ends);
-    }
-
-    /// Whether the derivative of a row by a variable is carried.
-    pub(super) fn carries_variable(&self, (kind, number): (Kind, usize), j: u32) -> bool {
-        let range = self.sequence(kind).range(number, 0);
-        self.variables_read[range].binary_search(&j).is_ok()
-    }
-
-    /// Whether the derivative of a row by a definition is carried.
-    pub(super) fn carries_definition(&self, (kind, number): (Kind, usize), d: u32) -> bool {
-        let key = |d: u32| (self.supports.of_definition[d as usize], d);
-        let range = self.sequence(kind).range(number, 1);
-        self.definitions_read[range].binary_search_by_key(&key(d), |&d| key(d)).is_ok()
     }
 }
 
@@ -285,5 +239,11 @@ impl Supports {
     pub(super) fn groups<'a>(&self, definitions: &'a [u32]) -> impl Iterator<Item = &'a [u32]> {
         let of = &self.of_definition;
         definitions.chunk_by(|&a, &b| of[a as usize] == of[b as usize])
+    }
+
+    /// Whether a definition is among these, which are in the order of their supports.
+    pub(super) fn find(&self, definitions: &[u32], d: u32) -> bool {
+        let key = |d: u32| (self.of_definition[d as usize], d);
+        definitions.binary_search_by_key(&key(d), |&d| key(d)).is_ok()
     }
 }

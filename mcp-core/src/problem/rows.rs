@@ -7,8 +7,9 @@ use super::Pattern;
 use super::ad::Pass;
 use super::constants::{Constants, Survey};
 use super::local::{LaneChoice, LocalRow};
-use super::plan::{Plan, RowPlan};
-use super::record::{Recorded, all_rows, support_of};
+use super::plan::Plan;
+use super::record::{Recorded, support_of};
+use super::runs::{RowList, RowPlan};
 use crate::apart::Apart;
 use crate::model::{Local, Model, OnTape, Point, Reader, Row, Shape};
 use crate::scalar::{Jet, Magnitude, Real, Scalar, Tape, Taped};
@@ -99,6 +100,8 @@ struct Work {
     by_definitions: Vec<f64>,
     /// By the variables of a support.
     sum: Vec<f64>,
+    /// Of the row at hand.
+    list: RowList,
 }
 
 impl Rows {
@@ -112,12 +115,13 @@ impl Rows {
         let definitions = recorded.definitions.len();
         let mut survey = Survey::new(shape.n(), definitions);
         let (plan, constants) = Plan::new(rows, shape, recorded, pattern, &mut survey);
-        let [most_definitions, most_variables] = plan.largest();
+        let [longest, most_definitions] = plan.most();
         Rows {
             work: Work {
                 survey,
                 by_definitions: Vec::with_capacity(most_definitions),
-                sum: Vec::with_capacity(most_variables),
+                sum: Vec::with_capacity(plan.largest_support()),
+                list: RowList::with_capacity(longest),
             },
             definition_values: vec![0.0; definitions],
             gradients: vec![0.0; plan.gradient_entries()],
@@ -138,12 +142,11 @@ impl Rows {
         }
         let point = Point { z, definitions: &self.definition_values, parameters };
         let read = Reader::plain(point);
-        if f.len() > self.plan.variable_of_row.len() {
+        if f.len() > self.plan.equations.len() {
             f.fill(0.0);
         }
-        let rows_of_families = all_rows(self.plan.equations.blocks.iter().copied());
-        for (row, &i) in rows_of_families.zip(&self.plan.variable_of_row) {
-            f[i as usize] = rows.row_in(Kind::Equation, row, &read).0;
+        for (number, row) in self.plan.equations.rows().enumerate() {
+            f[self.plan.variable_of(number)] = rows.row_in(Kind::Equation, row, &read).0;
         }
     }
 
@@ -156,32 +159,32 @@ impl Rows {
     ) {
         let Rows { plan, constants, work, definition_values, gradients } = self;
         constants.start(jac, gradients);
-        let Work { survey, by_definitions, sum, .. } = work;
+        let Work { survey, by_definitions, sum, list } = work;
         let slots = survey.table.slots();
-        let mut here = plan.definitions.start;
+        let mut walk = plan.definitions.walk(list);
         for (k, row) in plan.definitions.rows().enumerate() {
             let (known, own) = gradients.split_at_mut(plan.gradient_of[k].start);
             let point = Point { z, definitions: definition_values, parameters };
             let local = Local { point, slots, first_lane: Cell::new(0) };
-            let carried = plan.row(&plan.definitions, k, &mut here);
+            let carried = walk.next();
             let lanes = carried.lanes();
             let row = LocalRow { kind: Kind::Definition, row, local: &local, lanes };
             let work = (&mut *by_definitions, &mut *sum);
             definition_values[k] = plan.differentiate(rows, &row, &carried, work, (known, own));
         }
         if let Some(f) = &mut f
-            && f.len() > plan.variable_of_row.len()
+            && f.len() > plan.equations.len()
         {
             f.fill(0.0);
         }
         let point = Point { z, definitions: definition_values, parameters };
         let local = Local { point, slots, first_lane: Cell::new(0) };
-        let (mut here, mut number) = (plan.equations.start, 0);
+        let (mut walk, mut number) = (plan.equations.walk(list), 0);
         for &(family, length) in &plan.equations.blocks {
             for index in 0..length {
-                let carried = plan.row(&plan.equations, number, &mut here);
+                let carried = walk.next();
                 let (row, lanes) = (Row { family, index }, carried.lanes());
-                let i = plan.variable_of_row[number] as usize;
+                let i = plan.variable_of(number);
                 number += 1;
                 if lanes == 0 && f.is_none() {
                     continue;
@@ -224,17 +227,20 @@ impl Rows {
         pattern: &Pattern,
     ) {
         let Rows { plan, constants, work, definition_values, .. } = self;
+        let Work { survey, list, .. } = work;
         constants.clear(plan, pattern, parameters);
         for kind in [Kind::Definition, Kind::Equation] {
+            let mut walk = plan.sequence(kind).walk(list);
             for (number, row) in plan.sequence(kind).rows().enumerate() {
                 let point = Point { z, definitions: definition_values, parameters };
-                let value = work.survey.run(rows, (kind, row), point);
+                let value = survey.run(rows, (kind, row), point);
                 if kind == Kind::Definition {
                     definition_values[number] = value;
                 }
-                constants.add(plan, (kind, number), pattern, &work.survey);
+                constants.add(plan, ((kind, number), walk.next()), pattern, survey);
             }
         }
+        constants.shrink();
     }
 }
 
@@ -251,7 +257,7 @@ impl Plan {
         (by_definitions, sum): (&mut Vec<f64>, &mut Vec<f64>),
         (known, gradient): (&[f64], &mut [f64]),
     ) -> f64 {
-        let RowPlan { variables, definitions, targets } = *carried;
+        let [variables, definitions, targets] = carried.split();
         let slots = &row.local.slots;
         slots.assign(variables, definitions);
         by_definitions.clear();

@@ -150,9 +150,7 @@ pub fn examine(problem: &mut dyn Problem, z: &[f64]) -> Result<Certificate, Mode
     if z.len() != n {
         return Err(ModelError::Length { what: "z".to_owned(), expected: n, found: z.len() });
     }
-    let mut certifier = Certifier::default();
-    certifier.resize(n, problem.pattern().nnz());
-    Ok(certifier.judge(problem, z))
+    Ok(Certifier::default().judge(problem, z))
 }
 
 /// Workspace of the judge.
@@ -167,13 +165,24 @@ pub(crate) struct Certifier {
 }
 
 impl Certifier {
+    /// For `n` variables and as many nonzeros; lists of the right length stay as they are.
     pub(crate) fn resize(&mut self, n: usize, nnz: usize) {
-        // Fresh zeros cost no memory before they are written.
-        self.jac = vec![0.0; nnz];
+        resize(&mut self.jac, nnz);
         for list in [&mut self.f, &mut self.beside, &mut self.f_beside] {
-            *list = vec![0.0; n];
+            resize(list, n);
         }
         self.sizes.resize(n);
+    }
+
+    /// Exchanges memory with the caller, who lends it for the time of a judgement: for `J`, a point beside and
+    /// `F` there, and the sizes of variables and equations.
+    pub(crate) fn exchange(&mut self, jac: &mut Vec<f64>, lists: [&mut Vec<f64>; 4]) {
+        let Sizes { weight, of_row, .. } = &mut self.sizes;
+        let own = [&mut self.beside, &mut self.f_beside, weight, of_row];
+        for (own, lent) in own.into_iter().zip(lists) {
+            std::mem::swap(own, lent);
+        }
+        std::mem::swap(&mut self.jac, jac);
     }
 
     /// `F` at the point judged last.
@@ -207,6 +216,7 @@ impl Certifier {
     }
 
     pub(crate) fn judge(&mut self, problem: &mut dyn Problem, z: &[f64]) -> Certificate {
+        self.resize(z.len(), problem.pattern().nnz());
         problem.evaluate(z, Some(&mut self.f), Some(&mut self.jac));
         self.forgive(problem, z);
         let is_finite = all_finite(&self.f) && all_finite(&self.jac) && all_finite(z);
@@ -375,6 +385,14 @@ impl Certifier {
 /// The middle of three numbers with `below <= above`; NaN if any is.
 pub(super) fn middle(above: f64, f: f64, below: f64) -> f64 {
     if f.is_nan() || above.is_nan() || below.is_nan() { f64::NAN } else { above.min(below.max(f)) }
+}
+
+/// Zeros of another length, or else the list as it is. Fresh zeros cost no memory before they are
+/// written.
+fn resize<T: Clone + Default>(list: &mut Vec<T>, len: usize) {
+    if list.len() != len {
+        *list = vec![T::default(); len];
+    }
 }
 
 fn all_finite(values: &[f64]) -> bool {

@@ -20,16 +20,15 @@
 //! `max_i |H d + r|_i / (|H| |d| + |r|)_i` exceeds [`BACKWARD`] ([ADD89](crate#references)); one that cannot
 //! be brought below [`ACCEPTABLE`], and every other matrix, is left to LU with pivoting, as it stands.
 
+mod symmetric;
+
 use super::options::Options;
 use super::solution::Fill;
 use crate::error::ModelError;
 use crate::linalg::{FaerCholesky, Linear, LinearSolver};
-use crate::problem::{Index, Pattern, WithDiagonal};
+use crate::problem::{Pattern, WithDiagonal};
+use symmetric::Symmetric;
 
-/// `b_i / a_i` up to which row `i` says what `d_i` is.
-const KNOWN: f64 = 1e-12;
-/// Difference of `t_i J_ij` and `t_j J_ji`, relative to the larger one, that is rounding.
-const ASYMMETRY: f64 = 1e-12;
 /// Backward error above which a solution is improved.
 const BACKWARD: f64 = 1e-12;
 /// Backward error of a solution that is good enough.
@@ -62,39 +61,6 @@ struct General {
     is_analysed: bool,
     /// A linear solver the caller brought is kept whatever the pattern.
     is_custom: bool,
-}
-
-/// The reduced matrix and its solver.
-struct Symmetric {
-    linear: Box<dyn LinearSolver>,
-    is_custom: bool,
-    /// Variables whose row says what they do.
-    known: Vec<bool>,
-    /// Row scales that make `J` symmetric.
-    t: Vec<f64>,
-    /// Residual of the last solution, and its correction.
-    residual: Vec<f64>,
-    correction: Vec<f64>,
-    size: Vec<f64>,
-    /// Next entry of each column while symmetry is tested.
-    next: Vec<Index>,
-}
-
-impl Symmetric {
-    /// Of a pattern, with a solver that has been analysed.
-    fn new(n: usize, linear: Box<dyn LinearSolver>, is_custom: bool) -> Self {
-        let zeros = || vec![0.0; n];
-        Symmetric {
-            linear,
-            is_custom,
-            known: vec![false; n],
-            t: zeros(),
-            residual: zeros(),
-            correction: zeros(),
-            size: zeros(),
-            next: Vec::with_capacity(n),
-        }
-    }
 }
 
 impl NewtonSystem {
@@ -198,7 +164,8 @@ impl NewtonSystem {
 
     /// Factors `H` and returns its pivot ratio; `None` if it is singular.
     pub(super) fn factor(&mut self, jac: &[f64], spare: &mut [f64], rows: Rows<'_>) -> Option<f64> {
-        if self.is_symmetric(jac) && self.reduce(jac, spare, rows) {
+        if self.is_symmetric(jac, rows) {
+            self.reduce(jac, spare, rows);
             let symmetric = self.symmetric.as_mut()?;
             let values = if self.with_diagonal.is_unchanged() { &*spare } else { &self.values[..] };
             if let Ok(info) = symmetric.linear.factor(values) {
@@ -254,78 +221,27 @@ impl NewtonSystem {
         self.general.linear.solve(d);
     }
 
-    /// Whether a symmetric solver is at hand and `diag(t) J` is symmetric up to rounding with some
-    /// `t ≠ 0`, which it finds in one sweep: `t_i = t_j J_ji / J_ij` for the first neighbour `j` of `i`.
-    fn is_symmetric(&mut self, jac: &[f64]) -> bool {
-        let Some(Symmetric { next, t, .. }) = &mut self.symmetric else { return false };
-        let pattern = &self.source;
-        next.clear();
-        next.extend_from_slice(&pattern.stored().0[..pattern.n()]);
-        t.fill(0.0);
-        for j in 0..pattern.n() {
-            if t[j] == 0.0 {
-                t[j] = 1.0;
-            }
-            for k in pattern.column(j) {
-                let i = pattern.row(k);
-                // Columns are swept in order, so the partners in column i come in order too.
-                let partner = next[i] as usize;
-                next[i] += 1;
-                if i <= j {
-                    continue;
-                }
-                let is_partner = partner < pattern.column(i).end && pattern.row(partner) == j;
-                if !is_partner {
-                    return false;
-                }
-                let (lower, upper) = (jac[k], jac[partner]);
-                if lower == 0.0 && upper == 0.0 {
-                    continue;
-                }
-                if t[i] == 0.0 {
-                    t[i] = t[j] * upper / lower;
-                    if !t[i].is_normal() {
-                        return false;
-                    }
-                }
-                let (lower, upper) = (t[i] * lower, t[j] * upper);
-                if !((lower - upper).abs() <= ASYMMETRY * lower.abs().max(upper.abs())) {
-                    return false;
-                }
-            }
-        }
-        true
+    /// Whether a symmetric solver is at hand and the reduced matrix is one for it.
+    pub(super) fn is_symmetric(&mut self, jac: &[f64], rows: Rows<'_>) -> bool {
+        let Some(symmetric) = &mut self.symmetric else { return false };
+        symmetric.is_symmetric(&self.source, jac) && symmetric.find_known(rows)
     }
 
-    /// Assembles the reduced matrix; false if a row is not of its kind.
-    fn reduce(&mut self, jac: &[f64], spare: &mut [f64], (a, b): Rows<'_>) -> bool {
+    /// Assembles the reduced matrix.
+    fn reduce(&mut self, jac: &[f64], spare: &mut [f64], rows: Rows<'_>) {
         let with_diagonal = &self.with_diagonal;
-        let Some(Symmetric { known, t, .. }) = &mut self.symmetric else { return false };
-        for (known, (&a, &b)) in known.iter_mut().zip(a.iter().zip(b)) {
-            if !(a >= 0.0 && b >= 0.0) {
-                return false;
+        let Some(symmetric) = &self.symmetric else { return };
+        let values = if with_diagonal.is_unchanged() {
+            spare.copy_from_slice(jac);
+            spare
+        } else {
+            self.values.fill(0.0);
+            for (k, &value) in jac.iter().enumerate() {
+                self.values[with_diagonal.entry(k)] = value;
             }
-            *known = b <= KNOWN * a;
-        }
-        let values = if with_diagonal.is_unchanged() { spare } else { &mut self.values };
-        values.fill(0.0);
-        for j in 0..self.source.n() {
-            for k in self.source.column(j) {
-                let i = self.source.row(k);
-                if !(known[i] || known[j]) {
-                    values[with_diagonal.entry(k)] = t[i] * jac[k];
-                }
-            }
-        }
-        for (j, &known) in known.iter().enumerate() {
-            let to = with_diagonal.diagonal(j);
-            if known {
-                values[to] = 1.0;
-            } else {
-                values[to] += t[j] * a[j] / b[j];
-            }
-        }
-        true
+            &mut self.values
+        };
+        symmetric.reduce(with_diagonal, values, rows);
     }
 
     /// The reduced system: known variables, their share of the other rows, a solve, corrections. False
@@ -340,30 +256,15 @@ impl NewtonSystem {
         let (a, b) = rows;
         let pattern = &self.source;
         let Some(symmetric) = &mut self.symmetric else { return false };
-        let Symmetric { linear, known, t, residual, correction, size, .. } = symmetric;
-        let solve = |linear: &mut dyn LinearSolver, r: &[f64], d: &mut [f64]| {
-            for (i, d) in d.iter_mut().enumerate() {
-                *d = if known[i] { -r[i] / a[i] } else { -t[i] * r[i] / b[i] };
-            }
-            for j in (0..known.len()).filter(|&j| known[j]) {
-                if d[j] != 0.0 {
-                    for k in pattern.column(j) {
-                        let i = pattern.row(k);
-                        if !known[i] {
-                            d[i] -= t[i] * jac[k] * d[j];
-                        }
-                    }
-                }
-            }
-            linear.solve(d);
-        };
-        solve(&mut **linear, r, d);
-        if linear.is_iterative() {
+        symmetric.reduce_right(pattern, jac, rows, r, d);
+        symmetric.linear.solve(d);
+        if symmetric.linear.is_iterative() {
             // NaN where the matrix was not definite.
             return d.iter().all(|d| d.is_finite());
         }
         let mut before = f64::INFINITY;
         for k in 0..=CORRECTIONS {
+            let Symmetric { residual, size, .. } = &mut *symmetric;
             residual_of(pattern, (jac, a, b), r, d, (residual, size));
             let error =
                 residual.iter().zip(&*size).map(|(r, s)| if *r == 0.0 { 0.0 } else { r.abs() / s });
@@ -376,12 +277,51 @@ impl NewtonSystem {
                 return error <= ACCEPTABLE;
             }
             before = error;
-            solve(&mut **linear, residual, correction);
-            for (d, c) in d.iter_mut().zip(&*correction) {
+            let mut correction = std::mem::take(&mut symmetric.correction);
+            symmetric.reduce_right(pattern, jac, rows, &symmetric.residual, &mut correction);
+            symmetric.linear.solve(&mut correction);
+            for (d, c) in d.iter_mut().zip(&correction) {
                 *d += c;
             }
+            symmetric.correction = correction;
         }
         false
+    }
+
+    /// Whether [`solve_in_place`](Self::solve_in_place) is possible: with an iterative solver, where `J` has
+    /// the diagonal.
+    pub(super) fn takes_place_of_jacobian(&self) -> bool {
+        self.with_diagonal.is_unchanged()
+            && self.symmetric.as_ref().is_some_and(|symmetric| symmetric.linear.is_iterative())
+    }
+
+    /// Solves the reduced system in the memory of `J`, after [`is_symmetric`](Self::is_symmetric): the matrix
+    /// takes the place of `J`, the fields of the iteration that of the matrix. False if there is no solution.
+    pub(super) fn solve_in_place(
+        &mut self,
+        jac: &mut [f64],
+        rows: Rows<'_>,
+        r: &[f64],
+        d: &mut [f64],
+    ) -> bool {
+        let Some(symmetric) = &mut self.symmetric else { return false };
+        symmetric.reduce_right(&self.source, jac, rows, r, d);
+        symmetric.reduce(&self.with_diagonal, jac, rows);
+        if symmetric.linear.factor(jac).is_err() {
+            return false;
+        }
+        (self.is_factored, self.is_reduced) = (true, true);
+        symmetric.linear.solve_with(d, jac);
+        d.iter().all(|d| d.is_finite())
+    }
+
+    /// Gives back the memory of factors that cost little: another system has to be factored next.
+    pub(super) fn release(&mut self) {
+        self.begin();
+        if let Some(symmetric) = &mut self.symmetric {
+            symmetric.linear.release();
+        }
+        self.general.linear.release();
     }
 }
 

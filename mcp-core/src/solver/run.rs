@@ -1,5 +1,7 @@
 //! One solve in progress: evaluations with their bookkeeping, trial points, endings.
 
+mod directions;
+
 use super::certificate::{Certificate, Verdict};
 use super::monitor::{Direction, Iteration, Monitor};
 use super::options::{Criterion, Options};
@@ -9,14 +11,13 @@ use super::status::Status;
 use super::workspace::Workspace;
 use crate::globalise::{Forcing, StallWatch};
 use crate::problem::{Pattern, Problem};
+use directions::ZERO_GRADIENT;
 use std::ops::ControlFlow::{self, Break, Continue};
 use std::time::Instant;
 
 /// What a step of a method results in: the status that ends the solve, or a value to go on with.
 pub(super) type Flow<T = ()> = ControlFlow<Status, T>;
 
-/// A gradient this small relative to its terms is zero up to rounding.
-const ZERO_GRADIENT: f64 = 1e-12;
 /// A failed search at a gradient this small has ended near a stationary point.
 const SMALL_GRADIENT: f64 = 1e-5;
 
@@ -153,7 +154,7 @@ impl<'a> Run<'a> {
 
     /// Monitor, limits, stall; then `Da`, `Db` and `∇θ` at the iterate. Iterations begin here.
     pub(super) fn begin_iteration(&mut self) -> Flow {
-        self.work.linearise(self.problem);
+        self.linearise();
         self.accuracy = self.forcing.next(self.work.current.merit);
         if self.options.criterion.needs_gradient() {
             self.end_if_solved()?;
@@ -254,64 +255,9 @@ impl<'a> Run<'a> {
     /// Judges the projection of the iterate into the box, which becomes the answer.
     pub(super) fn certify(&mut self) -> Certificate {
         self.stats.certificate_evaluations += 1;
-        let work = &mut *self.work;
-        work.answer.copy_from_slice(&work.current.z);
-        self.problem.shape().bounds().project(&mut work.answer);
-        let certificate = work.certifier.judge(self.problem, &work.answer);
+        let certificate = self.work.certify(self.problem);
         self.certificate = Some(certificate);
         certificate
-    }
-
-    /// Newton direction of the Fischer–Burmeister equations, `H d = −Φ`, if `H` is not singular.
-    pub(super) fn fb_direction(&mut self) -> Option<Direction> {
-        self.stats.factorisations += 1;
-        let accuracy = self.accuracy;
-        let work = &mut *self.work;
-        work.system.set_accuracy(accuracy);
-        let (rows, spare) = ((&work.a[..], &work.b[..]), work.certifier.spare());
-        let solved =
-            work.system.solve(&work.jac, spare, rows, &work.current.phi, &mut work.direction);
-        self.system_is_singular = !solved;
-        solved.then_some(Direction::FischerBurmeister)
-    }
-
-    /// Newton direction of the min map, if its linearisation is not singular.
-    pub(super) fn min_direction(&mut self) -> Option<Direction> {
-        self.stats.factorisations += 1;
-        let accuracy = self.accuracy;
-        let work = &mut *self.work;
-        work.system.set_accuracy(accuracy);
-        work.linearise_min(self.problem.shape());
-        let (rows, spare) = ((&work.a[..], &work.b[..]), work.certifier.spare());
-        let solved = work.system.solve(&work.jac, spare, rows, &work.answer, &mut work.direction);
-        self.system_is_singular = !solved;
-        if !solved {
-            // The rows of the equations `Φ = 0` are asked for next.
-            work.linearise(self.problem);
-        }
-        solved.then_some(Direction::MinMap)
-    }
-
-    /// `d = −∇θ` and its slope `−‖∇θ‖²`; ends the solve where the gradient vanishes.
-    pub(super) fn gradient_direction(&mut self) -> Flow<(Direction, f64)> {
-        if self.relative_gradient() <= ZERO_GRADIENT {
-            return Break(self.status_without_progress(Status::LineSearchFailed));
-        }
-        let work = &mut *self.work;
-        for (d, g) in work.direction.iter_mut().zip(&work.gradient) {
-            *d = -g;
-        }
-        Continue((Direction::Gradient, -dot(&work.gradient, &work.gradient)))
-    }
-
-    /// The slope `∇θ·d` if the direction is one of sufficient descent.
-    pub(super) fn descent_slope(&self) -> Option<f64> {
-        let (rule, d) = (self.options.descent, &self.work.direction);
-        let (slope, square) = (dot(&self.work.gradient, d), dot(d, d));
-        // ‖d‖ᵖ <= ‖d‖² for p >= 2 and ‖d‖ <= 1: mostly the power is not needed.
-        let is_descent = square <= 1.0 && slope <= -rule.rho * square
-            || slope <= -rule.rho * square.sqrt().powf(rule.p);
-        is_descent.then_some(slope)
     }
 
     /// Evaluates `z + t d` and returns its merit, NaN where `F` is not finite.
@@ -319,8 +265,14 @@ impl<'a> Run<'a> {
         self.stats.residual_evaluations += 1;
         let work = &mut *self.work;
         let point = match candidate {
-            Candidate::Full => &mut work.full,
-            Candidate::Trial => &mut work.trial,
+            Candidate::Full => {
+                work.lend_full(false);
+                &mut work.full
+            }
+            Candidate::Trial => {
+                work.trial.resize(work.current.z.len());
+                &mut work.trial
+            }
         };
         for ((to, z), d) in point.z.iter_mut().zip(&work.current.z).zip(&work.direction) {
             *to = z + t * d;
@@ -390,6 +342,10 @@ impl<'a> Run<'a> {
         // A search that comes to this point again must not take it.
         self.work.current.merit = f64::NAN;
         self.exchange(candidate);
+        if self.work.is_thrifty {
+            // The certificate may have taken the place of F.
+            self.evaluate_current();
+        }
         Continue(false)
     }
 
@@ -402,21 +358,6 @@ impl<'a> Run<'a> {
         std::mem::swap(&mut work.current, point);
     }
 
-    /// `J` at the iterate; the old one stays, and the fault is noted, if it is not finite.
-    fn evaluate_jacobian(&mut self) -> bool {
-        self.stats.jacobian_evaluations += 1;
-        let work = &mut *self.work;
-        let jac = work.certifier.spare();
-        self.problem.evaluate(&work.current.z, None, Some(jac));
-        if let Some(fault) = Fault::of_jacobian(self.problem.pattern(), jac) {
-            self.fault = Some(fault);
-            work.fault_point.copy_from_slice(&work.current.z);
-            return false;
-        }
-        std::mem::swap(&mut work.jac, jac);
-        true
-    }
-
     /// Notes the first non-finite `F` of a candidate, or of the iterate.
     fn note_fault_of_residual(&mut self, candidate: Option<Candidate>) {
         let work = &mut *self.work;
@@ -427,14 +368,8 @@ impl<'a> Run<'a> {
         };
         if let Some(fault) = Fault::of_residual(&point.f, &point.phi) {
             self.fault = Some(fault);
-            work.fault_point.copy_from_slice(&point.z);
+            work.fault_point.clone_from(&point.z);
         }
-    }
-
-    /// `‖∇θ‖∞` at the iterate relative to its terms, whatever was linearised last.
-    fn relative_gradient(&mut self) -> f64 {
-        self.work.linearise(self.problem);
-        self.work.relative_gradient(self.problem.pattern())
     }
 
     /// Why the merit does not fall any further: for lack of a direction, or `otherwise`.

@@ -72,7 +72,8 @@ pub fn solve_sequence_with<M: Model>(
             None => None,
         };
         let solution = solve_one(solver(&model)?, &mut AdProblem::new(&model)?, start)?;
-        solutions.push(solution);
+        drop(model);
+        solutions.push(apart(solution));
     }
     Ok(solutions)
 }
@@ -87,6 +88,14 @@ fn solve_one(
     drop(start);
     solver.go(problem, work, None);
     Ok(solver.solution)
+}
+
+/// Copies made when a problem and its solver are gone stand where these were: lists of the workspace would
+/// keep memory around them from being given back.
+fn apart(mut solution: Solution) -> Solution {
+    solution.z = solution.z.clone();
+    solution.f = solution.f.clone();
+    solution
 }
 
 #[cfg(test)]

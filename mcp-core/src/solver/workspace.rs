@@ -1,14 +1,14 @@
 //! Memory of a solver, kept between solves, and the linear algebra of one iterate.
 
-use super::certificate::Certifier;
+use super::certificate::{Certificate, Certifier};
 use super::diagnosis::Diagnosis;
 use super::newton_system::NewtonSystem;
-use super::options::Options;
+use super::options::{Method, Options};
 use super::{pivot, robust};
 use crate::error::ModelError;
 use crate::globalise::Reference;
 use crate::linalg::LinearSolver;
-use crate::model::{BoundKind, Shape};
+use crate::model::{BoundKind, Bounds, Shape};
 use crate::ncp::{Branch, Reformulation, mid};
 use crate::problem::{Pattern, Problem};
 
@@ -39,7 +39,11 @@ impl Point {
     /// `F`, `Φ` and `θ` at `z`.
     pub(super) fn evaluate(&mut self, problem: &mut dyn Problem, kinds: &[BoundKind]) {
         problem.evaluate(&self.z, Some(&mut self.f), None);
-        let bounds = problem.shape().bounds();
+        self.weigh(problem.shape().bounds(), kinds);
+    }
+
+    /// `Φ` and `θ` from `z` and `F`.
+    fn weigh(&mut self, bounds: &Bounds, kinds: &[BoundKind]) {
         let mut square = 0.0;
         for (i, &kind) in kinds.iter().enumerate() {
             let row = Reformulation::of_kind(kind, bounds, i);
@@ -84,6 +88,13 @@ pub(super) struct Natural {
     pub(super) active: usize,
 }
 
+/// Whether other numbers have taken the place of `J`, and of `∇θ`.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Lost {
+    pub(super) jacobian: bool,
+    pub(super) gradient: bool,
+}
+
 /// Everything a solve needs; kept for the next problem of the same pattern, made anew for another.
 pub(super) struct Workspace {
     /// What the bounds of every variable mean.
@@ -99,8 +110,14 @@ pub(super) struct Workspace {
     pub(super) answer: Vec<f64>,
     /// Where `F` or `J` was last seen not to be finite.
     pub(super) fault_point: Vec<f64>,
-    /// `J` at the iterate.
+    /// `J` at the iterate, unless it is lost.
     pub(super) jac: Vec<f64>,
+    /// Whether lists serve several purposes in turn: with an iterative solver, which has no factors, they are
+    /// most of what a solve takes.
+    pub(super) is_thrifty: bool,
+    pub(super) lost: Lost,
+    /// Whether `a`, `b` and `answer` stand in the lists of the full step.
+    full_is_lent: bool,
     /// `H = diag(a) + diag(b) J`: of the Fischer–Burmeister equations, or of the min map.
     pub(super) a: Vec<f64>,
     pub(super) b: Vec<f64>,
@@ -130,20 +147,27 @@ impl Workspace {
     ) -> Result<Self, ModelError> {
         let system = NewtonSystem::new(pattern, options, custom)?;
         let (n, nnz) = (pattern.n(), pattern.nnz());
+        let is_thrifty =
+            Method::CLASSICAL.contains(&options.method) && system.takes_place_of_jacobian();
+        // Lists that may never be used.
+        let rare = || vec![0.0; if is_thrifty { 0 } else { n }];
         let mut workspace = Workspace {
             kinds: Vec::with_capacity(n),
             current: Point::default(),
             trial: Point::default(),
             full: Point::default(),
-            answer: vec![0.0; n],
-            fault_point: vec![0.0; n],
+            answer: rare(),
+            fault_point: rare(),
             jac: vec![0.0; nnz],
-            a: vec![0.0; n],
-            b: vec![0.0; n],
+            is_thrifty,
+            lost: Lost::default(),
+            full_is_lent: false,
+            a: rare(),
+            b: rare(),
             gradient: vec![0.0; n],
             direction: vec![0.0; n],
-            zeta: vec![0.0; n],
-            slope: vec![0.0; n],
+            zeta: rare(),
+            slope: rare(),
             system,
             reference: Reference::new(options.nonmonotone, options.memory),
             certifier: Certifier::default(),
@@ -151,11 +175,47 @@ impl Workspace {
             pivoting: None,
             diagnosis: None,
         };
-        for point in [&mut workspace.current, &mut workspace.trial, &mut workspace.full] {
-            point.resize(n);
+        workspace.current.resize(n);
+        workspace.full.resize(n);
+        if !is_thrifty {
+            workspace.trial.resize(n);
+            workspace.certifier.resize(n, nnz);
         }
-        workspace.certifier.resize(n, nnz);
         Ok(workspace)
+    }
+
+    /// Where lists serve in turn: those of the full step, between two such steps, for `a`, `b` and `answer`.
+    pub(super) fn lend_full(&mut self, to_rows: bool) {
+        if self.is_thrifty && self.full_is_lent != to_rows {
+            self.full_is_lent = to_rows;
+            std::mem::swap(&mut self.full.z, &mut self.answer);
+            std::mem::swap(&mut self.full.f, &mut self.a);
+            std::mem::swap(&mut self.full.phi, &mut self.b);
+        }
+    }
+
+    /// Judges the iterate, moved into the box as `answer`. Where lists serve in turn, it costs `J`, `∇θ` and,
+    /// but for `z`, the full step, and the linear solver gives its memory back.
+    pub(super) fn certify(&mut self, problem: &mut dyn Problem) -> Certificate {
+        resize(&mut self.answer, self.current.z.len());
+        self.answer.copy_from_slice(&self.current.z);
+        problem.shape().bounds().project(&mut self.answer);
+        if !self.is_thrifty {
+            return self.certifier.judge(problem, &self.answer);
+        }
+        self.system.release();
+        self.lost = Lost { jacobian: true, gradient: true };
+        self.exchange_with_certifier();
+        let certificate = self.certifier.judge(problem, &self.answer);
+        self.exchange_with_certifier();
+        self.current.weigh(problem.shape().bounds(), &self.kinds);
+        certificate
+    }
+
+    fn exchange_with_certifier(&mut self) {
+        let Point { f, phi, .. } = &mut self.full;
+        let lists = [&mut self.gradient, &mut self.current.phi, f, phi];
+        self.certifier.exchange(&mut self.jac, lists);
     }
 
     /// Whether this workspace was made for that pattern.
@@ -184,6 +244,7 @@ impl Workspace {
             (self.a[i], self.b[i]) = row.derivative(z[i], f[i]);
             let kink = row.kink(z[i], f[i], || {
                 if !has_sizes {
+                    resize(&mut self.slope, z.len());
                     self.slope.fill(0.0);
                     pattern.add_sizes(&self.jac, |j| z[j], &mut self.slope);
                     has_sizes = true;
@@ -192,6 +253,8 @@ impl Workspace {
             });
             if let Some(direction) = kink {
                 if !has_kinks {
+                    resize(&mut self.zeta, z.len());
+                    resize(&mut self.slope, z.len());
                     self.zeta.fill(0.0);
                     has_kinks = true;
                 }

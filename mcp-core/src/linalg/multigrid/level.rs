@@ -5,7 +5,7 @@ use super::grid::{Grid, Parents, parents};
 /// Values at the nodes of a grid inside a rim of zeros: node `(i, j)` at `(i + 1) m + j + 1`.
 pub(super) type Field = Vec<f64>;
 
-/// One grid of the hierarchy. The matrix couples a node with itself and its eight neighbours; by symmetry
+/// One grid of the hierarchy: the matrix, while fields are memory of the caller's. The matrix couples a node with itself and its eight neighbours; by symmetry
 /// half of the couplings are kept. Entries of the rim are zero, except for ones on the diagonal.
 #[derive(Clone, Debug)]
 pub(super) struct Level {
@@ -21,10 +21,6 @@ pub(super) struct Level {
     pub(super) south_west: Field,
     /// Nodes that are coupled with others: only these see the coarser grid.
     pub(super) coupled: Vec<bool>,
-    /// Right-hand side, solution, and what is left of the right-hand side.
-    pub(super) b: Field,
-    pub(super) x: Field,
-    pub(super) r: Field,
 }
 
 impl Level {
@@ -42,10 +38,12 @@ impl Level {
             south_east: diagonals(),
             south_west: diagonals(),
             coupled: vec![false; size],
-            b: field(),
-            x: field(),
-            r: field(),
         }
+    }
+
+    /// Length of a field.
+    pub(super) fn size(&self) -> usize {
+        self.diagonal.len()
     }
 
     fn has_nine_points(&self) -> bool {
@@ -135,8 +133,8 @@ impl Level {
         (1..=self.grid.rows).flat_map(|i| self.row(i)).find(|&q| !(self.diagonal[q] > 0.0))
     }
 
-    /// `r ← A x` for a field `x`.
-    pub(super) fn apply(&mut self, x: &[f64]) {
+    /// `image ← A x` inside the rim.
+    pub(super) fn apply(&self, x: &[f64], image: &mut [f64]) {
         let (m, nine) = (self.m, self.has_nine_points());
         for i in 1..=self.grid.rows {
             let row = self.row(i);
@@ -148,7 +146,7 @@ impl Level {
             let east = &self.east[start - 1..start + columns];
             let (south, north) =
                 (&self.south[row.clone()], &self.south[start - m..start - m + columns]);
-            let out = &mut self.r[row.clone()];
+            let out = &mut image[row.clone()];
             for j in 0..columns {
                 out[j] = diagonal[j] * here[j + 1]
                     + east[j + 1] * here[j + 2]
@@ -171,23 +169,23 @@ impl Level {
         }
     }
 
-    /// A Gauss–Seidel sweep on `A x = b`: forwards or backwards.
-    pub(super) fn smooth(&mut self, forwards: bool) {
+    /// A Gauss–Seidel sweep on `A x = b`: forwards or backwards. `r` is memory for a row.
+    pub(super) fn smooth(&self, b: &[f64], x: &mut [f64], r: &mut [f64], forwards: bool) {
         let rows = self.grid.rows;
+        let right = &mut r[..self.grid.columns];
         for k in 1..=rows {
-            self.smooth_row(if forwards { k } else { rows + 1 - k }, forwards);
+            self.smooth_row(if forwards { k } else { rows + 1 - k }, b, x, right, forwards);
         }
     }
 
-    fn smooth_row(&mut self, i: usize, forwards: bool) {
+    fn smooth_row(&self, i: usize, b: &[f64], x: &mut [f64], right: &mut [f64], forwards: bool) {
         let (m, row) = (self.m, self.row(i));
         let (start, columns) = (row.start, self.grid.columns);
         // What the rows above and below and b say does not wait for the neighbour in the row.
-        let (before, rest) = self.x.split_at_mut(start - 1);
+        let (before, rest) = x.split_at_mut(start - 1);
         let (here, after) = rest.split_at_mut(m);
         let above = &before[start - m - 1..];
-        let right = &mut self.r[row.clone()];
-        let b = &self.b[row.clone()];
+        let b = &b[row.clone()];
         let (south, north) =
             (&self.south[row.clone()], &self.south[start - m..start - m + columns]);
         for j in 0..columns {
@@ -220,33 +218,27 @@ impl Level {
         }
     }
 
-    /// `r ← b − A x`.
-    pub(super) fn residual(&mut self) {
-        let x = std::mem::take(&mut self.x);
-        self.apply(&x);
-        self.x = x;
+    /// `r ← b − A x` inside the rim.
+    pub(super) fn residual(&self, b: &[f64], x: &[f64], r: &mut [f64]) {
+        self.apply(x, r);
         for i in 1..=self.grid.rows {
             let row = self.row(i);
-            for (r, b) in self.r[row.clone()].iter_mut().zip(&self.b[row]) {
+            for (r, b) in r[row.clone()].iter_mut().zip(&b[row]) {
                 *r = b - *r;
             }
         }
     }
 
     /// `b` of the coarser level: `Pᵀ r`.
-    pub(super) fn restrict(&self, coarse: &mut Level) {
-        coarse.b.fill(0.0);
-        self.for_each_pair(coarse.grid, |q, i, j, share, m| {
-            coarse.b[i * m + j] += share * self.r[q];
-        });
-        coarse.clear_rim();
+    pub(super) fn restrict(&self, r: &[f64], coarse: &Level, b: &mut [f64]) {
+        b.fill(0.0);
+        self.for_each_pair(coarse.grid, |q, i, j, share, m| b[i * m + j] += share * r[q]);
+        coarse.clear_rim(b);
     }
 
     /// `x ← x + P x` of the coarser level.
-    pub(super) fn correct(&mut self, coarse: &Level) {
-        let mut x = std::mem::take(&mut self.x);
-        self.for_each_pair(coarse.grid, |q, i, j, share, m| x[q] += share * coarse.x[i * m + j]);
-        self.x = x;
+    pub(super) fn correct(&self, x: &mut [f64], coarse: &Level, of_coarse: &[f64]) {
+        self.for_each_pair(coarse.grid, |q, i, j, share, m| x[q] += share * of_coarse[i * m + j]);
     }
 
     /// Every coupled node `q` with each coarse node `(i, j)`, counted from 1, that it is interpolated
@@ -265,14 +257,14 @@ impl Level {
         }
     }
 
-    fn clear_rim(&mut self) {
+    fn clear_rim(&self, field: &mut [f64]) {
         let (m, rows, columns) = (self.m, self.grid.rows, self.grid.columns);
         for i in 0..rows + 2 {
-            self.b[i * m] = 0.0;
-            self.b[i * m + columns + 1] = 0.0;
+            field[i * m] = 0.0;
+            field[i * m + columns + 1] = 0.0;
         }
         for i in [0, rows + 1] {
-            self.b[i * m..(i + 1) * m].fill(0.0);
+            field[i * m..(i + 1) * m].fill(0.0);
         }
     }
 }

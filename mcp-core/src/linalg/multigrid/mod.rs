@@ -6,7 +6,8 @@
 //! solve       conjugate gradients, preconditioned by one cycle, until ‖r‖ <= η ‖rhs‖
 //! ```
 //!
-//! Nothing is factored: memory is about 12 numbers for each unknown, time proportional to the unknowns.
+//! Nothing is factored: memory is five numbers for each unknown, and five more that the caller may lend for
+//! the time of a solve; time is proportional to the unknowns.
 //! [BHM00](crate#references) chapters 3 and 10; the coarse matrices are truncated where variables are known.
 
 mod galerkin;
@@ -51,18 +52,22 @@ const COARSEST_SWEEPS: usize = 12;
 pub struct MultigridCg {
     grid: Grid,
     pattern: KeptPattern,
+    /// Whether a node of the pattern is coupled across a corner.
+    has_corners: bool,
+    /// Empty before the first matrix.
     levels: Vec<Level>,
-    direction: Vec<f64>,
+    /// Fields of a solve for which no memory is lent.
+    own: Vec<f64>,
     accuracy: f64,
     steps: usize,
 }
 
 impl MultigridCg {
-    /// For matrices of this grid, without memory until [`analyse`](LinearSolver::analyse) is called.
+    /// For matrices of this grid, without memory until [`factor`](LinearSolver::factor) is called.
     pub fn new(grid: Grid) -> Self {
         let pattern = KeptPattern::default();
-        let (levels, direction) = (Vec::new(), Vec::new());
-        MultigridCg { grid, pattern, levels, direction, accuracy: 1e-8, steps: 0 }
+        let (levels, own) = (Vec::new(), Vec::new());
+        MultigridCg { grid, pattern, has_corners: false, levels, own, accuracy: 1e-8, steps: 0 }
     }
 
     /// Steps of conjugate gradients of all solves so far.
@@ -70,35 +75,56 @@ impl MultigridCg {
         self.steps
     }
 
-    /// Solves with the cycle as preconditioner; false if the matrix turns out not to be definite.
-    fn conjugate_gradients(&mut self, x: &mut [f64]) -> bool {
+    /// Grids without entries, from fine to coarse.
+    fn lay_out(&mut self) {
+        let mut next = Some(self.grid);
+        while let Some(grid) = next {
+            self.levels.push(Level::new(grid, self.has_corners || !self.levels.is_empty()));
+            next = grid.coarser();
+        }
+    }
+
+    /// Numbers that the fields of a solve take.
+    fn memory(&self) -> usize {
+        let sizes: usize = self.levels.iter().map(Level::size).sum();
+        2 * (sizes + self.levels[0].size())
+    }
+
+    /// Solves with the cycle as preconditioner; false if the matrix turns out not to be definite. Fields
+    /// stand in `memory`: `p`, `A p`, then `b` and `x` of every level.
+    fn conjugate_gradients(&mut self, solution: &mut [f64], memory: &mut [f64]) -> bool {
         let Grid { rows, columns } = self.grid;
-        let fine = &mut self.levels[0];
-        let m = fine.m;
+        let (levels, fine) = (&self.levels[..], &self.levels[0]);
+        let (m, size) = (fine.m, fine.size());
+        let (p, rest) = memory.split_at_mut(size);
+        let (image, fields) = rest.split_at_mut(size);
+        for zeros in [&mut *p, &mut *image, &mut fields[..size]] {
+            zeros.fill(0.0);
+        }
         for i in 0..rows {
             let to = (i + 1) * m + 1;
-            fine.b[to..to + columns].copy_from_slice(&x[i * columns..(i + 1) * columns]);
+            fields[to..to + columns].copy_from_slice(&solution[i * columns..(i + 1) * columns]);
         }
-        x.fill(0.0);
-        self.direction.fill(0.0);
-        let target = self.accuracy * norm(&fine.b);
+        solution.fill(0.0);
+        let target = self.accuracy * norm(&fields[..size]);
         let mut rz_before = 1.0;
         for k in 0..STEPS {
-            if norm(&self.levels[0].b) <= target {
+            if norm(&fields[..size]) <= target {
                 break;
             }
             self.steps += 1;
-            cycle(&mut self.levels);
-            let fine = &mut self.levels[0];
+            cycle(levels, fields, image);
             // z = x of the cycle, r = b: β = r·z / (r·z before), p = z + β p.
-            let rz = dot(&fine.b, &fine.x);
+            let (r, rest) = fields.split_at_mut(size);
+            let z = &rest[..size];
+            let rz = dot(r, z);
             let beta = if k == 0 { 0.0 } else { rz / rz_before };
             rz_before = rz;
-            for (p, z) in self.direction.iter_mut().zip(&fine.x) {
+            for (p, z) in p.iter_mut().zip(z) {
                 *p = z + beta * *p;
             }
-            fine.apply(&self.direction);
-            let curvature = dot(&self.direction, &fine.r);
+            fine.apply(p, image);
+            let curvature = dot(p, image);
             // False for NaN.
             if !(rz > 0.0 && curvature > 0.0) {
                 return false;
@@ -106,12 +132,12 @@ impl MultigridCg {
             let step = rz / curvature;
             for i in 0..rows {
                 let from = (i + 1) * m + 1;
-                let p = &self.direction[from..from + columns];
-                for (x, p) in x[i * columns..(i + 1) * columns].iter_mut().zip(p) {
+                let p = &p[from..from + columns];
+                for (x, p) in solution[i * columns..(i + 1) * columns].iter_mut().zip(p) {
                     *x += step * p;
                 }
-                let image = &fine.r[from..from + columns];
-                for (r, image) in fine.b[from..from + columns].iter_mut().zip(image) {
+                let image = &image[from..from + columns];
+                for (r, image) in r[from..from + columns].iter_mut().zip(image) {
                     *r -= step * image;
                 }
             }
@@ -120,23 +146,25 @@ impl MultigridCg {
     }
 }
 
-/// One cycle on `A x = b` from `x = 0`.
-fn cycle(levels: &mut [Level]) {
-    let Some((fine, coarser)) = levels.split_first_mut() else { return };
-    fine.x.fill(0.0);
-    let Some(coarse) = coarser.first_mut() else {
+/// One cycle on `A x = b` from `x = 0`, with `b` and `x` of every level in `fields` and memory for a field in `r`.
+fn cycle(levels: &[Level], fields: &mut [f64], r: &mut [f64]) {
+    let Some((fine, coarser)) = levels.split_first() else { return };
+    let (own, next) = fields.split_at_mut(2 * fine.size());
+    let (b, x) = own.split_at_mut(fine.size());
+    x.fill(0.0);
+    let Some(coarse) = coarser.first() else {
         for _ in 0..COARSEST_SWEEPS {
-            fine.smooth(true);
-            fine.smooth(false);
+            fine.smooth(b, x, r, true);
+            fine.smooth(b, x, r, false);
         }
         return;
     };
-    fine.smooth(true);
-    fine.residual();
-    fine.restrict(coarse);
-    cycle(coarser);
-    fine.correct(&coarser[0]);
-    fine.smooth(false);
+    fine.smooth(b, x, r, true);
+    fine.residual(b, x, r);
+    fine.restrict(r, coarse, &mut next[..coarse.size()]);
+    cycle(coarser, next, r);
+    fine.correct(x, coarse, &next[coarse.size()..]);
+    fine.smooth(b, x, r, false);
 }
 
 fn dot(a: &[f64], b: &[f64]) -> f64 {
@@ -182,28 +210,25 @@ impl LinearSolver for MultigridCg {
         if pattern.n() != self.grid.n() {
             return Err(LinearError::NotOnGrid { n: pattern.n(), rows, columns });
         }
-        let mut nine_points = false;
+        self.has_corners = false;
         for (_, i, j) in pattern.entries() {
             let down = (i / columns).abs_diff(j / columns);
             let across = (i % columns).abs_diff(j % columns);
             if down.max(across) > 1 {
                 return Err(LinearError::NotOnGrid { n: pattern.n(), rows, columns });
             }
-            nine_points |= down + across == 2;
+            self.has_corners |= down + across == 2;
         }
-        self.levels.clear();
-        let mut next = Some(self.grid);
-        while let Some(grid) = next {
-            self.levels.push(Level::new(grid, nine_points || !self.levels.is_empty()));
-            next = grid.coarser();
-        }
-        self.direction = vec![0.0; self.levels[0].x.len()];
+        self.release();
         self.pattern.keep(pattern);
         Ok(())
     }
 
     fn factor(&mut self, values: &[f64]) -> Result<FactorInfo, LinearError> {
         check_finite(values)?;
+        if self.levels.is_empty() {
+            self.lay_out();
+        }
         let pattern = self.pattern.get();
         let columns = self.grid.columns;
         let fine = &mut self.levels[0];
@@ -243,10 +268,28 @@ impl LinearSolver for MultigridCg {
     }
 
     fn solve(&mut self, rhs: &mut [f64]) {
+        self.solve_with(rhs, &mut []);
+    }
+
+    fn solve_with(&mut self, rhs: &mut [f64], lent: &mut [f64]) {
         assert_eq!(rhs.len(), self.grid.n(), "one right-hand side for every node");
-        if !self.conjugate_gradients(rhs) {
+        let memory = self.memory();
+        let is_definite = if let Some(lent) = lent.get_mut(..memory) {
+            self.conjugate_gradients(rhs, lent)
+        } else {
+            let mut own = std::mem::take(&mut self.own);
+            own.resize(memory, 0.0);
+            let is_definite = self.conjugate_gradients(rhs, &mut own);
+            self.own = own;
+            is_definite
+        };
+        if !is_definite {
             rhs.fill(f64::NAN);
         }
+    }
+
+    fn release(&mut self) {
+        (self.levels, self.own) = (Vec::new(), Vec::new());
     }
 
     fn solve_transposed(&mut self, rhs: &mut [f64]) {

@@ -77,16 +77,35 @@ fn the_cycle_is_a_symmetric_operator() {
     solver.factor(&values).unwrap();
     let m = solver.levels[0].m;
     let place = |p: usize| (p / 12 + 1) * m + p % 12 + 1;
-    let image = |solver: &mut MultigridCg, p: usize| {
-        solver.levels[0].b.fill(0.0);
-        solver.levels[0].b[place(p)] = 1.0;
-        cycle(&mut solver.levels);
-        solver.levels[0].x.clone()
+    let size = solver.levels[0].size();
+    let image = |p: usize| {
+        let (mut fields, mut r) = (vec![0.0; solver.memory()], vec![0.0; size]);
+        fields[place(p)] = 1.0;
+        cycle(&solver.levels, &mut fields, &mut r);
+        fields[size..2 * size].to_vec()
     };
     for (p, q) in [(0, 1), (13, 100), (6, 203), (50, 62)] {
-        let (of_p, of_q) = (image(&mut solver, p), image(&mut solver, q));
+        let (of_p, of_q) = (image(p), image(q));
         let (one, other) = (of_p[place(q)], of_q[place(p)]);
         assert!((one - other).abs() <= 1e-14, "{one} {other}");
+    }
+}
+
+#[test]
+fn memory_that_is_lent_or_released_changes_no_bit() {
+    let grid = Grid::new(40, 31);
+    let (pattern, values) = laplacian(grid, 0.3, |p| p.is_multiple_of(9));
+    let mut solver = MultigridCg::new(grid);
+    solver.analyse(&pattern).unwrap();
+    solver.factor(&values).unwrap();
+    let mut own = vec![1.0; grid.n()];
+    solver.solve(&mut own);
+    solver.release();
+    solver.factor(&values).unwrap();
+    for lent in [solver.memory(), solver.memory() - 1] {
+        let mut x = vec![1.0; grid.n()];
+        solver.solve_with(&mut x, &mut vec![f64::NAN; lent]);
+        assert_eq!(x, own, "{lent} numbers lent");
     }
 }
 

@@ -1,5 +1,6 @@
 //! What counts as small: the sizes `w_j` of variables and `s_i` of equations.
 
+use super::resize;
 use crate::model::Shape;
 use crate::problem::Pattern;
 
@@ -22,7 +23,7 @@ pub(super) struct Sizes {
 impl Sizes {
     pub(super) fn resize(&mut self, n: usize) {
         for list in [&mut self.known, &mut self.weight, &mut self.of_row] {
-            *list = vec![0.0; n];
+            resize(list, n);
         }
     }
 
