@@ -14,10 +14,16 @@ mod check;
 mod cycling;
 #[path = "hard/degenerate.rs"]
 mod degenerate;
+#[path = "hard/exact.rs"]
+mod exact;
 #[path = "hard/families.rs"]
 mod families;
 #[path = "hard/fuzz.rs"]
 mod fuzz;
+#[path = "hard/fuzz_affine.rs"]
+mod fuzz_affine;
+#[path = "hard/fuzz_curved.rs"]
+mod fuzz_curved;
 #[path = "hard/invariances.rs"]
 mod invariances;
 #[path = "hard/kinks.rs"]
@@ -28,6 +34,8 @@ mod overflow;
 mod phi;
 #[path = "hard/powers.rs"]
 mod powers;
+#[path = "hard/random.rs"]
+mod random;
 #[path = "hard/scaling.rs"]
 mod scaling;
 #[path = "hard/several.rs"]

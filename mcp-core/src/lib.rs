@@ -45,6 +45,7 @@
 //! | \[AB08\] | V. Acary, B. Brogliato (2008), Numerical Methods for Nonsmooth Dynamical Systems. Springer |
 //! | \[ADD89\] | M. Arioli, J. W. Demmel, I. S. Duff (1989), Solving sparse linear systems with sparse backward error. SIAM J. Matrix Anal. Appl. 10 |
 //! | \[Ahn83\] | B.-H. Ahn (1983), Iterative methods for linear complementarity problems with upper bounds on primary variables. Math. Prog. 26 |
+//! | \[Bar68\] | E. H. Bareiss (1968), Sylvester's identity and multistep integer-preserving Gaussian elimination. Math. Comp. 22 |
 //! | \[Ber82\] | D. P. Bertsekas (1982), Projected Newton methods for optimization problems with simple constraints. SIAM J. Control Optim. 20 |
 //! | \[BG12\] | I. Ben Gharbia, J. C. Gilbert (2012), Nonconvergence of the plain Newton-min algorithm for linear complementarity problems with a P-matrix. Math. Prog. 134 |
 //! | \[BHM00\] | W. L. Briggs, V. E. Henson, S. F. McCormick (2000), A Multigrid Tutorial, 2nd ed. SIAM |
@@ -91,6 +92,7 @@
 //! | \[Rob80\] | S. M. Robinson (1980), Strongly regular generalized equations. Math. Oper. Res. 5 |
 //! | \[Rui01\] | D. Ruiz (2001), A scaling algorithm to equilibrate both rows and columns norms in matrices. RAL-TR-2001-034 |
 //! | \[Rut99\] | T. F. Rutherford (1999), Applied general equilibrium modeling with MPSGE as a GAMS subsystem. Comput. Econ. 14 |
+//! | \[Sch86\] | A. Schrijver (1986), Theory of Linear and Integer Programming. Wiley |
 //! | \[SLF14\] | G. L. Steele, D. Lea, C. H. Flood (2014), Fast splittable pseudorandom number generators. OOPSLA |
 //! | \[Van95\] | R. J. Vanderbei (1995), Symmetric quasidefinite matrices. SIAM J. Optim. 5 |
 //! | \[ZH04\] | H. Zhang, W. W. Hager (2004), A nonmonotone line search technique and its application to unconstrained optimization. SIAM J. Optim. 14 |

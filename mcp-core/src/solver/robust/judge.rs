@@ -25,6 +25,9 @@ const FAR: f64 = 1e4;
 const NEAR: f64 = 100.0;
 /// The same where the matrix is singular.
 const AT_START: f64 = 1.0;
+/// Share of the tolerance that is left of the residual, in terms near the start, at a solution with a
+/// singular matrix. What contradicts itself by more is none.
+const CONTRADICTION: f64 = 0.01;
 /// Relative Newton step of a point that still moves.
 const MOVING: f64 = 0.1;
 /// Growth beyond which a stage is left.
@@ -181,7 +184,7 @@ impl Search<'_, '_> {
         if !self.undamped_min_map_direction() {
             // So is every system with multipliers that are not unique.
             return self.memory.asymptotic && growth > FAR
-                || self.near_residual(AT_START) > self.run.options.tol_relative;
+                || self.near_residual(AT_START) > CONTRADICTION * self.run.options.tol_relative;
         }
         let memory = &*self.memory;
         (0..memory.unit.len()).any(|j| {

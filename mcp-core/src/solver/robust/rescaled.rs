@@ -2,11 +2,14 @@
 
 use super::Search;
 use super::map::Map;
-use super::starts::{CRASH, STEPS};
+use super::starts::CRASH;
 use crate::solver::monitor::Direction;
 use crate::solver::run::Flow;
 use crate::solver::stage::StageEnd;
 use std::ops::ControlFlow::Continue;
+
+/// Newton steps from one point.
+const STEPS: usize = 60;
 
 impl Search<'_, '_> {
     /// New scales at the point where Newton got stuck, and its stages again.

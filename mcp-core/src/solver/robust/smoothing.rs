@@ -2,6 +2,7 @@
 //!
 //! ```text
 //! μ ← μ/10 once ‖Φ_μ‖/√n <= ½√μ, μ/2 where no step is found; ends at √μ < 10⁻⁵, then Newton on Φ
+//! left where fifteen steps for one μ do not reduce ‖Φ_μ‖² by 30 %
 //! y ← inside(y + t d): at most 9/10 of the way to a bound, component by component
 //! ```
 //!
@@ -10,6 +11,7 @@
 
 use super::Search;
 use super::map::Map;
+use crate::globalise::{Stall, StallWatch};
 use crate::solver::monitor::Direction;
 use crate::solver::run::Flow;
 use crate::solver::stage::StageEnd;
@@ -19,6 +21,9 @@ use std::ops::ControlFlow::Continue;
 const LEFT: f64 = 0.1;
 /// Path steps without success.
 const FAILURES: usize = 6;
+/// Steps for one `μ` that together must reduce the merit by 30 %: where the path turns back, as it does
+/// where there is no solution, they go on until the budget ends.
+const CRAWL: Stall = Stall { iterations: 15, factor: 0.7 };
 /// Steps of Newton's method after the path.
 const AFTERWARDS: usize = 30;
 
@@ -44,6 +49,7 @@ impl Search<'_, '_> {
         let mean_square = 2.0 * self.memory.here.merit / n;
         let mut mu = mean_square.clamp(0.1, 1e4);
         let mut failures = 0;
+        let mut stall = StallWatch::new(f64::INFINITY);
         for _ in 0..budget {
             self.begin()?;
             if let Some(end) = self.memory.leave {
@@ -59,6 +65,9 @@ impl Search<'_, '_> {
                     return Continue(StageEnd::Budget);
                 }
                 self.set_map(Map::Smoothed { mu });
+                stall = StallWatch::new(self.memory.here.merit);
+            } else if stall.observe(self.memory.here.merit, CRAWL) {
+                return Continue(StageEnd::Stalled);
             }
             failures = if self.path_step()? { 0 } else { failures + 1 };
         }

@@ -1,4 +1,7 @@
 //! Other starts: perturbed ones, the same every time.
+//!
+//! From another start [pivoting](crate::solver::pivot) takes another path, which is what solves affine
+//! problems without monotonicity; Newton from there is only a look, since smoothing does more.
 
 use super::Search;
 use super::map::Map;
@@ -8,15 +11,16 @@ use std::ops::ControlFlow::Continue;
 
 /// Sizes of the perturbations, relative to `1 + |y⁰|` in scaled units.
 const SIZES: [f64; 3] = [0.1, 1.0, 10.0];
-/// Steps from one start.
-pub(super) const STEPS: usize = 60;
+/// Linearisations solved by pivoting, and Newton steps, from one perturbed start.
+const PIVOTED: usize = 3;
+const LOOK: usize = 20;
 /// Steps of the crash from one start.
 pub(super) const CRASH: usize = 20;
 
 impl Search<'_, '_> {
-    /// Crash, Newton and smoothing from `budget` perturbed starts.
+    /// Crash, Josephy–Newton, Newton and smoothing from `budget` perturbed starts.
     pub(super) fn starts(&mut self, budget: usize) -> Flow<StageEnd> {
-        let smoothing = self.run.options.robust.smoothing;
+        let robust = self.run.options.robust;
         let mut numbers = Numbers(0);
         for k in 0..budget {
             let size = SIZES[k % SIZES.len()];
@@ -35,10 +39,11 @@ impl Search<'_, '_> {
             }
             self.keep_stuck();
             self.crash(CRASH)?;
-            self.newton_on(Map::FischerBurmeister, STEPS)?;
+            self.josephy(PIVOTED.min(robust.josephy))?;
+            self.newton_on(Map::FischerBurmeister, LOOK)?;
             self.memory.go_to_stuck();
-            if smoothing > 0 && self.restart()? {
-                self.smoothing_and_newton(smoothing)?;
+            if robust.smoothing > 0 && self.restart()? {
+                self.smoothing_and_newton(robust.smoothing)?;
             }
         }
         Continue(StageEnd::Budget)
