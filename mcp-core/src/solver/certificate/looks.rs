@@ -1,0 +1,92 @@
+//! Second looks of the certificate at a point that might be accepted.
+
+use super::{Certifier, all_finite};
+use crate::problem::Problem;
+
+/// Growth from which rounding in a sum of terms is more than the default of `tol_relative` of its
+/// terms at the start: `2²⁶`.
+const GROWN: f64 = 67_108_864.0;
+/// Share of `w` beside the point where slopes are measured again: the default of `tol_relative`.
+const BESIDE: f64 = 1e-8;
+
+impl Certifier {
+    /// A variable that has grown far although no equation with it sees anything but its own terms.
+    pub(super) fn lost_constants(&mut self, problem: &dyn Problem, z: &[f64]) -> Option<usize> {
+        let (shape, pattern) = (problem.shape(), problem.pattern());
+        let has_grown = |j: &usize| z[*j].abs() > GROWN * shape.start()[*j].abs().max(1.0);
+        let first = (0..z.len()).find(has_grown)?;
+        // Constants `F − J z`, and which equations they are asked of.
+        let (constant, bounds) = (&mut self.beside, shape.bounds());
+        constant.copy_from_slice(&self.f);
+        self.f_beside.fill(0.0);
+        for j in 0..z.len() {
+            for k in pattern.column(j) {
+                let i = pattern.row(k);
+                constant[i] -= self.jac[k] * z[j];
+                let must_hold =
+                    z[i] - bounds.lower()[i] > self.f[i] && z[i] - bounds.upper()[i] < self.f[i];
+                if must_hold && has_grown(&j) && self.jac[k] != 0.0 {
+                    self.f_beside[i] = 1.0;
+                }
+            }
+        }
+        let mut asked = (0..z.len()).filter(|&i| self.f_beside[i] > 0.0).peekable();
+        asked.peek()?;
+        let is_lost = |i: usize| constant[i].abs() <= 8.0 * f64::EPSILON * self.sizes.of_row[i];
+        asked.all(is_lost).then_some(first)
+    }
+
+    /// Whether an equation that must hold does so only by what `k` adds to its size.
+    pub(super) fn leans_on_known(&mut self, problem: &dyn Problem, z: &[f64]) -> bool {
+        let (own, bounds) = (&mut self.beside, problem.shape().bounds());
+        own.fill(0.0);
+        problem.pattern().add_sizes(&self.jac, |j| z[j].abs(), own);
+        (0..z.len()).any(|i| {
+            let (f, l, u) = (self.f[i], bounds.lower()[i], bounds.upper()[i]);
+            let must_hold = z[i] - l > f && z[i] - u < f;
+            must_hold && f.abs() > BESIDE * own[i]
+        })
+    }
+
+    /// Rows are no larger than with the slopes at `z ± 10⁻⁸ w`; a slope that is not finite there on
+    /// either side counts as none.
+    pub(super) fn look_beside(&mut self, problem: &mut dyn Problem, z: &[f64]) {
+        for sign in [1.0, -1.0] {
+            let bounds = problem.shape().bounds();
+            for j in 0..z.len() {
+                let step = BESIDE * self.sizes.weight[j];
+                let [first, second] = [z[j] + sign * step, z[j] - sign * step];
+                let fits = |x: f64| bounds.lower()[j] <= x && x <= bounds.upper()[j];
+                self.beside[j] = if fits(first) || !fits(second) { first } else { second };
+            }
+            bounds.project(&mut self.beside);
+            problem.evaluate(&self.beside, None, Some(&mut self.jac));
+            if all_finite(&self.jac) {
+                break;
+            }
+        }
+        self.sizes.lessen(problem.pattern(), &self.jac, &mut self.f_beside);
+        problem.evaluate(z, None, Some(&mut self.jac));
+        self.forgive(problem, z);
+    }
+
+    /// Whether `F` is infinite where variables that belong onto a bound are put there. Where it is NaN,
+    /// as `z ln z` at 0, it may have a limit.
+    pub(super) fn is_infinite_on_bounds(&mut self, problem: &mut dyn Problem, z: &[f64]) -> bool {
+        let bounds = problem.shape().bounds();
+        let mut is_moved = false;
+        for i in 0..z.len() {
+            let (l, u, f) = (bounds.lower()[i], bounds.upper()[i], self.f[i]);
+            self.beside[i] = match () {
+                () if z[i] - l <= f => l,
+                () if z[i] - u >= f => u,
+                () => z[i],
+            };
+            is_moved |= self.beside[i] != z[i];
+        }
+        if is_moved {
+            problem.evaluate(&self.beside, Some(&mut self.f_beside), None);
+        }
+        is_moved && self.f_beside.iter().any(|f| f.is_infinite())
+    }
+}
