@@ -11,7 +11,7 @@
 //! `r` has the units of the model: it accepts wrong points where `F` is in small units and can
 //! never accept right ones where it is in large units. `e` has none. `s_i` is the size of the terms
 //! of `F_i`, and `w_j` the change of `z_j` that would be one of the terms in some equation, but no more than
-//! the width of its box or `|z_j|`. Scaling equations or variables by powers of two changes no bit of
+//! the width of its box, unless `|z_j|` is. Scaling equations or variables by powers of two changes no bit of
 //! them.
 //!
 //! `k_j` is `|z_j|`, at least 2⁻¹³ (about 10⁻⁴) of what is known of the size of the variable: its start,

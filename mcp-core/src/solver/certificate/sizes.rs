@@ -34,8 +34,9 @@ impl Sizes {
         self.weigh(shape, pattern, z, jac);
     }
 
-    /// `k_j = max(|z_j|, 2⁻¹³ |z_j⁰|)`; for a start of 0 a size `s_i / |J_ij|` stands for it, with `s_i` over
-    /// the variables that do not start there: of several the one nearest to 1, and `2⁻⁷` if there is none.
+    /// `k_j = max(|z_j|, 2⁻¹³ |z_j⁰|)`. For a start of 0 a size `s_i / |J_ij|` stands for it, with `s_i` over
+    /// the variables that do not start there: of several the one nearest to 1. If there is none,
+    /// `k_j >= 2⁻²⁰`.
     fn know(&mut self, pattern: &Pattern, start: &[f64], z: &[f64], jac: &[f64]) {
         let floor = |j: usize| FLOOR * start[j].abs();
         for j in 0..z.len() {
@@ -68,7 +69,7 @@ impl Sizes {
         })
     }
 
-    /// `w_j = max(k_j, min_i s_i / |J_ij|)`, but no more than `|z_j|` or the width of the box.
+    /// `w_j = max(k_j, min_i s_i / |J_ij|)`, but no more than the width of the box, unless `|z_j|` is.
     fn weigh(&mut self, shape: &Shape, pattern: &Pattern, z: &[f64], jac: &[f64]) {
         let bounds = shape.bounds();
         for j in 0..z.len() {

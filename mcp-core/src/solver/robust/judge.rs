@@ -182,9 +182,9 @@ impl Search<'_, '_> {
         // In scales of its own, a matrix that is nearly singular is one in all units.
         self.measure_scales();
         if !self.undamped_min_map_direction() {
+            let limit = (CONTRADICTION * self.run.options.tol_relative).max(SHARP);
             // So is every system with multipliers that are not unique.
-            return self.memory.asymptotic && growth > FAR
-                || self.near_residual(AT_START) > CONTRADICTION * self.run.options.tol_relative;
+            return self.memory.asymptotic && growth > FAR || self.near_residual(AT_START) > limit;
         }
         let memory = &*self.memory;
         (0..memory.unit.len()).any(|j| {
