@@ -1,7 +1,7 @@
 //! What the effects of a scene cost, off and on: `cargo bench --bench effects`.
 //!
-//! Unknowns and nonzeros are those of the largest step, operations those of this whole step with one
-//! `F` and one `J` of its problem; times are the best of several runs of all steps, so that other work
+//! Unknowns and nonzeros are those of the largest step, operations those of one `F` of its problem, and of this
+//! whole step with one `F` and one `J`; times are the best of several runs of all steps, so that other work
 //! on the machine disturbs least. Behind the table stands what was to be reached, and whether it is.
 #![allow(clippy::print_stdout, reason = "a benchmark prints its results")]
 
@@ -159,8 +159,10 @@ const AT_REST: &str = "title = \"at rest\"\neffects = [\"gravity\", \"contact\"]
     [[contact]]\nname = \"floor\"\nbody = \"ball\"\n";
 
 fn main() -> Result<(), Box<dyn Error>> {
-    println!("| scene | effects | unknowns | nonzeros | operations | µs per step |");
-    println!("| --- | --- | ---: | ---: | ---: | ---: |");
+    println!(
+        "| scene | effects | unknowns | nonzeros | operations of F | of the step | µs per step |"
+    );
+    println!("| --- | --- | ---: | ---: | ---: | ---: | ---: |");
     for name in names()? {
         let effects = effects(&name)?;
         // A scene that is one effect has nothing without it.
@@ -169,9 +171,10 @@ fn main() -> Result<(), Box<dyn Error>> {
             let cost = cost(&name, &effects[..on], None)?;
             let added = if on == 0 { "none" } else { effects[on - 1] };
             let added = if on > 1 { format!("+ {added}") } else { added.to_owned() };
-            let StepSize { unknowns, nonzeros, operations, .. } = cost.size;
+            let StepSize { unknowns, nonzeros, operations, operations_of_f, .. } = cost.size;
             let time = cost.micros_per_step();
-            println!("| {name} | {added} | {unknowns} | {nonzeros} | {operations} | {time:.3} |");
+            let size = format!("{unknowns} | {nonzeros} | {operations_of_f} | {operations}");
+            println!("| {name} | {added} | {size} | {time:.3} |");
         }
     }
     print_reach()

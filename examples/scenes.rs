@@ -32,10 +32,10 @@ mod files;
 mod output;
 
 use files::effect::Effect;
-use files::effects::{Effect as _, files_in};
+use files::effects::{Effect as _, FileError, files_in};
 use files::scene::{Scene, is_long};
 use indicatif::ProgressBar;
-use mcp_core::dynamics::StepReport;
+use mcp_core::dynamics::{DynamicsError, StepReport};
 use output::{Output, Row};
 use std::error::Error;
 use std::path::Path;
@@ -51,6 +51,11 @@ fn main() -> Result<(), Box<dyn Error>> {
         Some(path) => run(Path::new(&path)),
         None => run_all(),
     }
+}
+
+/// A step that failed, with the file of its scene.
+fn failed(path: &Path, error: DynamicsError) -> FileError {
+    FileError::Refused { file: path.display().to_string(), error: Box::new(error) }
 }
 
 /// One scene with its table, CSV file and picture.
@@ -69,7 +74,8 @@ fn run(path: &Path) -> Result<(), Box<dyn Error>> {
     };
     println!("{}", output::HEADER);
     for step in 1..=scene.steps {
-        let row = Row::of(scene.stepper.step()?, scene.stepper.as_ref());
+        let report = scene.stepper.step().map_err(|error| failed(path, error))?;
+        let row = Row::of(report, scene.stepper.as_ref());
         if step % every == 0 || step == scene.steps {
             bar.suspend(|| println!("{row}"));
         }
@@ -96,7 +102,7 @@ fn run_all() -> Result<(), Box<dyn Error>> {
         let steps = scene.steps.min(BRIEFLY);
         let (mut problems, mut unknowns, mut iterations, mut worst) = (0, 0, 0, 0.0_f64);
         for _ in 0..steps {
-            let report = scene.stepper.step()?;
+            let report = scene.stepper.step().map_err(|error| failed(&path, error))?;
             problems += u64::from(report.unknowns > 0);
             unknowns = unknowns.max(report.unknowns);
             iterations += report.iterations;

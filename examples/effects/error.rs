@@ -67,13 +67,16 @@ impl Source<'_> {
         self.error(at, key, message)
     }
 
-    /// The key in the line of a place.
+    /// The key of the line of a place, or of the last one before it that has a key: values may go over
+    /// several lines.
     fn key_at(&self, at: usize) -> &str {
         let (before, after) = self.text.split_at_checked(at).unwrap_or((self.text, ""));
-        let start = before.rfind('\n').map_or(0, |end| end + 1);
-        let end = at + after.find('\n').unwrap_or(after.len());
-        let line = self.text.get(start..end).unwrap_or("");
-        line.split('=').next().unwrap_or("").trim()
+        let end = before.len() + after.find('\n').unwrap_or(after.len());
+        let lines = self.text.get(..end).unwrap_or("").lines().rev();
+        let key = lines.map(|line| line.split_once('=').map_or(line, |(key, _)| key).trim());
+        let mut keys =
+            key.filter(|key| key.trim_start_matches('[').starts_with(char::is_alphabetic));
+        keys.next().unwrap_or("")
     }
 
     /// An error of the file as a whole.

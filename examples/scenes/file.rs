@@ -2,8 +2,30 @@
 
 use super::effects::{At, Source};
 use super::place::Entry;
-use serde::Deserialize;
+use serde::de::Error as _;
+use serde::{Deserialize, Deserializer};
 use std::collections::BTreeMap;
+use std::ops::Deref;
+
+/// Two values, neither more nor fewer.
+#[derive(Debug)]
+pub(crate) struct Two<T>(pub(crate) [T; 2]);
+
+impl<T> Deref for Two<T> {
+    type Target = [T; 2];
+
+    fn deref(&self) -> &[T; 2] {
+        &self.0
+    }
+}
+
+impl<'de, T: Deserialize<'de>> Deserialize<'de> for Two<T> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let values = Vec::deserialize(deserializer)?;
+        let two = |values: Vec<T>| D::Error::invalid_length(values.len(), &"two");
+        values.try_into().map(Two).map_err(two)
+    }
+}
 
 /// A scene: a base of bodies, circuit elements or a linear system, the effects it names, their data.
 #[derive(Debug, Deserialize)]
@@ -64,9 +86,9 @@ pub(crate) struct Body {
     pub(crate) mass: Option<At<f64>>,
     pub(crate) inertia: Option<At<f64>>,
     pub(crate) radius: Option<At<f64>>,
-    pub(crate) x: Option<At<[f64; 2]>>,
-    pub(crate) y: Option<At<[f64; 2]>>,
-    pub(crate) angle: Option<At<[f64; 2]>>,
+    pub(crate) x: Option<At<Two<f64>>>,
+    pub(crate) y: Option<At<Two<f64>>>,
+    pub(crate) angle: Option<At<Two<f64>>>,
 }
 
 /// An element of a circuit; the current flows from the first node to the second.
@@ -77,7 +99,7 @@ pub(crate) struct Element {
     pub(crate) kind: At<String>,
     pub(crate) value: Option<At<f64>>,
     pub(crate) start: Option<At<f64>>,
-    pub(crate) between: [String; 2],
+    pub(crate) between: Two<String>,
 }
 
 /// `x' = A x + b`.
@@ -94,7 +116,7 @@ pub(crate) struct System {
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct ZhuravlevIvanov {
-    pub(crate) start: [At<f64>; 2],
+    pub(crate) start: Two<At<f64>>,
     pub(crate) kappa: At<f64>,
     pub(crate) acceleration: At<f64>,
 }
@@ -143,7 +165,7 @@ pub(crate) struct Contact {
     pub(crate) name: At<String>,
     pub(crate) body: At<String>,
     pub(crate) with: Option<At<String>>,
-    pub(crate) normal: Option<At<[f64; 2]>>,
+    pub(crate) normal: Option<At<Two<f64>>>,
     pub(crate) offset: Option<At<f64>>,
     pub(crate) restitution: Option<At<f64>>,
     pub(crate) friction: Option<At<f64>>,
@@ -155,8 +177,8 @@ pub(crate) struct Contact {
 pub(crate) struct Joint {
     pub(crate) name: At<String>,
     pub(crate) body: At<String>,
-    pub(crate) rail: Option<At<[f64; 2]>>,
-    pub(crate) anchor: Option<At<[f64; 2]>>,
+    pub(crate) rail: Option<At<Two<f64>>>,
+    pub(crate) anchor: Option<At<Two<f64>>>,
     pub(crate) with: Option<At<String>>,
 }
 
@@ -177,8 +199,8 @@ pub(crate) struct Relay {
 pub(crate) struct SlidingMode {
     pub(crate) name: At<String>,
     pub(crate) gain: At<f64>,
-    pub(crate) inputs: At<[Vec<f64>; 2]>,
-    pub(crate) outputs: At<[Vec<f64>; 2]>,
+    pub(crate) inputs: At<Two<Vec<f64>>>,
+    pub(crate) outputs: At<Two<Vec<f64>>>,
 }
 
 /// Numbers of things by their names.

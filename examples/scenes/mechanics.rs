@@ -112,7 +112,7 @@ impl Build<'_> {
         planar = planar.radius(or(body.radius.as_ref(), 0.0));
         for (axis, motion) in [(Axis::X, &body.x), (Axis::Y, &body.y)] {
             if let Some(motion) = motion {
-                let [position, velocity] = *motion.get_ref();
+                let [position, velocity] = motion.get_ref().0;
                 planar = planar.moving(axis, position, velocity);
             }
         }
@@ -121,7 +121,7 @@ impl Build<'_> {
                 let message = format!("{name} turns, but has no inertia");
                 return Err(self.source.error(angle.span(), "body.inertia", message));
             };
-            let [position, velocity] = *angle.get_ref();
+            let [position, velocity] = angle.get_ref().0;
             planar = planar.turning(*inertia.get_ref(), position, velocity);
         }
         let entry = Entry::new(self.source, "body", at)
@@ -168,7 +168,7 @@ impl Build<'_> {
         let with = match &given.with {
             Some(other) => Obstacle::Body(self.find("contact.with", other)?),
             None => Obstacle::Plane {
-                normal: or(given.normal.as_ref(), [0.0, 1.0]),
+                normal: given.normal.as_ref().map_or([0.0, 1.0], |normal| normal.get_ref().0),
                 offset: or(given.offset.as_ref(), 0.0),
             },
         };
@@ -195,8 +195,8 @@ impl Build<'_> {
         let (at, given) = (entry.span(), entry.get_ref());
         let name = given.name.get_ref();
         let hold = match (&given.rail, &given.anchor, &given.with) {
-            (Some(normal), None, None) => Hold::Rail(*normal.get_ref()),
-            (None, Some(point), None) => Hold::Anchor(*point.get_ref()),
+            (Some(normal), None, None) => Hold::Rail(normal.get_ref().0),
+            (None, Some(point), None) => Hold::Anchor(point.get_ref().0),
             (None, None, Some(other)) => Hold::Body(self.find("joint.with", other)?),
             _ => {
                 let message = format!("{name} needs one of rail, anchor, with");

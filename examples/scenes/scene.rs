@@ -95,7 +95,7 @@ fn transformed_mass(
     }
     let mass = mass.get_ref();
     let number = |key: &str, value| finite(source, &format!("zhuravlev_ivanov.{key}"), value);
-    let [x, v] = &mass.start;
+    let [x, v] = &mass.start.0;
     let start = [number("start", x)?, number("start", v)?];
     let mut first = ZhuravlevIvanov::new(start).map_err(|error| source.refused(error))?;
     first.h = *scene.time.step.get_ref();
@@ -203,7 +203,7 @@ fn linear(
             let gain = finite(source, "sliding_mode.gain", &controller.gain)?;
             let times_gain = |input: &Vec<f64>| input.iter().map(|b| gain * b).collect();
             let inputs = controller.inputs.get_ref().each_ref().map(times_gain);
-            let outputs = controller.outputs.get_ref().clone();
+            let outputs = controller.outputs.get_ref().0.clone();
             let h = *scene.time.step.get_ref();
             let added = linear.twisting(controller.name.get_ref(), h, inputs, outputs);
             added.map_err(|error| entry.fault(&error))?;

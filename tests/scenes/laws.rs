@@ -149,9 +149,9 @@ fn dry_friction_opposes_the_velocity_in_every_step() {
 }
 
 /// A block on an inclined plane whose friction is `mu`, at rest.
-fn block_on_a_slope(mu: f64, slope: f64) -> Result<MoreauJean, DynamicsError> {
+fn block_on_a_slope(mu: f64, slope: f64, x: f64) -> Result<MoreauJean, DynamicsError> {
     let mut system = Mechanics::new();
-    let body = Body::new("block", 2.0).moving(Axis::X, 0.0, 0.0).moving(Axis::Y, 0.0, 0.0);
+    let body = Body::new("block", 2.0).moving(Axis::X, x, 0.0).moving(Axis::Y, slope * x, 0.0);
     let block = system.add_body(&body)?;
     system.add_gravity(9.81)?;
     let plane = Obstacle::Plane { normal: [-slope, 1.0], offset: 0.0 };
@@ -169,8 +169,8 @@ fn rest_stays_at_rest_for_100_000_steps() {
     });
     let beads = bodies("column_of_beads", |table| {
         for (k, body) in entries(table, "body").iter_mut().enumerate() {
-            // Closed in spite of rounding: each gap is −1e-12 m.
-            let y = 0.1 + k as f64 * 0.2 - (k + 1) as f64 * 1e-12;
+            // As a person writes them; rounded, some gaps are 1e-17 m.
+            let y: f64 = format!("{:.1}", 0.1 + k as f64 * 0.2).parse().unwrap();
             body.as_table_mut().unwrap().insert("y".to_owned(), vec![y, 0.0].into());
         }
     });
@@ -189,7 +189,8 @@ fn rest_stays_at_rest_for_100_000_steps() {
         ("beads", beads),
         ("disc with friction", disc),
         ("bounced ball", bounced),
-        ("block", block_on_a_slope(0.5, 0.3).unwrap()),
+        ("block", block_on_a_slope(0.5, 0.3, 0.0).unwrap()),
+        ("block further up", block_on_a_slope(0.5, 0.3, 0.7).unwrap()),
     ] {
         let mut fastest = 0.0_f64;
         for _ in 0..100_000 {
@@ -204,7 +205,7 @@ fn rest_stays_at_rest_for_100_000_steps() {
 fn a_block_slides_where_the_slope_is_steeper_than_its_friction() {
     // Along the slope: a = g (sin α − μ cos α).
     let (mu, slope) = (0.2_f64, 0.3_f64);
-    let mut system = block_on_a_slope(mu, slope).unwrap();
+    let mut system = block_on_a_slope(mu, slope, 0.0).unwrap();
     for _ in 0..200 {
         system.step().unwrap();
     }

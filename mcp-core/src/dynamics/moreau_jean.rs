@@ -10,8 +10,8 @@ use super::stepper::{StepReport, StepSize, TimeStepper};
 use crate::scalar::{Counted, Scalar, Tally};
 use crate::solver::Options;
 
-/// A contact that was pressed in the last step takes part up to this gap \[m\]: rounding does not end
-/// a rest.
+/// A contact that does not move, or was pressed in the last step, takes part up to this gap \[m\]:
+/// rounding neither delays a rest nor ends it.
 const RESTING: f64 = 1e-9;
 
 /// Step size and parameters of [`MoreauJean`].
@@ -21,8 +21,8 @@ pub struct Scheme {
     pub h: f64,
     /// `θ`; default ½, which conserves the energy of a flight.
     pub theta: f64,
-    /// `γ`: a contact takes part where `gap + γ h u <= 0`, or `1e-9` m after a step in which it was
-    /// pressed; default ½.
+    /// `γ`: a contact takes part where `gap + γ h u <= 0`, or `1e-9` m where it does not move or was
+    /// pressed in the last step; default ½.
     pub gamma: f64,
 }
 
@@ -135,9 +135,9 @@ impl MoreauJean {
     /// Gaps, the contacts that take part, and the rows of `H`.
     fn find_contacts(&mut self) {
         let MoreauJean { motion, q, v, active, multipliers, .. } = self;
-        let takes_part = |c: usize, approach: f64| {
-            let pressed = multipliers[motion.slot(c)] > 0.0;
-            approach <= if pressed { RESTING } else { 0.0 }
+        let takes_part = |c: usize, approach: f64, rate: f64| {
+            let rests = rate == 0.0 || multipliers[motion.slot(c)] > 0.0;
+            approach <= if rests { RESTING } else { 0.0 }
         };
         motion.constrain(q, v, |x| x, takes_part, active);
     }
@@ -176,7 +176,7 @@ impl MoreauJean {
         let (mut column, mut free) = (Column::new(number(0.0), q.len()), v.clone());
         self.motion.free_velocity(&q, &v, &mut column, &mut free);
         let mut active = Active::with_capacity(0, 0);
-        let takes_part = |c: usize, _| self.active.contacts.contains(&c);
+        let takes_part = |c: usize, _, _| self.active.contacts.contains(&c);
         self.motion.constrain(&q, &v, number, takes_part, &mut active);
         if let Some(problem) = self.problem() {
             let mut data = problem.data().zeros_like();

@@ -79,13 +79,13 @@ impl Motion {
     }
 
     /// Gaps, the contacts that take part, and the rows of `H`. `takes_part` decides by the number of a
-    /// contact and its `gap + γ h u`; `number` makes a number of the data.
+    /// contact, its `gap + γ h u` and `u`; `number` makes a number of the data.
     pub(super) fn constrain<D: Scalar>(
         &self,
         q: &[D],
         v: &[D],
         number: impl Fn(f64) -> D + Copy,
-        mut takes_part: impl FnMut(usize, f64) -> bool,
+        mut takes_part: impl FnMut(usize, f64, f64) -> bool,
         active: &mut Active<D>,
     ) {
         let (system, Scheme { h, gamma, .. }) = (&self.system, self.scheme);
@@ -101,7 +101,7 @@ impl Motion {
             let at = system.gap(contact, q, number);
             let row = system.normal_row(contact, at);
             let rate = row.times(v);
-            if takes_part(c, (at.gap + rate.scale(gamma * h)).value()) {
+            if takes_part(c, (at.gap + rate.scale(gamma * h)).value(), rate.value()) {
                 contacts.push(c);
                 rows.push(row);
                 slots.push(self.slot(c));

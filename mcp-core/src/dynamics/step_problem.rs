@@ -200,7 +200,12 @@ impl StepProblem {
 
     /// Operations of one `F` and one `J`.
     pub(super) fn operations(&self) -> Result<u64, DynamicsError> {
-        Ok(self.problem.operations().total() + self.problem.jacobian_operations()?)
+        Ok(self.operations_of_f() + self.problem.jacobian_operations()?)
+    }
+
+    /// Operations of one `F`.
+    pub(super) fn operations_of_f(&self) -> u64 {
+        self.problem.operations().total()
     }
 }
 

@@ -33,6 +33,8 @@ pub struct StepSize {
     /// Operations of the step: free motion, gaps, rows, the numbers of its problem, one `F` and one `J`
     /// of it, and the state after it. What the solver does between evaluations is not counted.
     pub operations: u64,
+    /// Of these, one `F` of the problem.
+    pub operations_of_f: u64,
 }
 
 impl StepSize {
@@ -42,11 +44,12 @@ impl StepSize {
         problem: Option<&StepProblem>,
     ) -> Result<Self, DynamicsError> {
         Ok(match problem {
-            None => StepSize { unknowns: 0, nonzeros: 0, operations },
+            None => StepSize { operations, ..StepSize::default() },
             Some(problem) => StepSize {
                 unknowns: problem.lambda.len(),
                 nonzeros: problem.nonzeros(),
                 operations: operations + problem.operations()?,
+                operations_of_f: problem.operations_of_f(),
             },
         })
     }

@@ -11,13 +11,14 @@
 //! `r` has the units of the model: it accepts wrong points where `F` is in small units and can
 //! never accept right ones where it is in large units. `e` has none. `s_i` is the size of the terms
 //! of `F_i`, and `w_j` the change of `z_j` that would be one of the terms in some equation, but no more than
-//! the width of its box, unless `|z_j|` is. Scaling equations or variables by powers of two changes no bit of
-//! them.
+//! the width of its box, unless `|z_j|` is, and no more than its start (or 1) where that is not 0. Scaling
+//! equations by powers of two changes no bit of them; scaling variables neither, but for these numbers 1.
 //!
 //! `k_j` is `|z_j|`, at least 2⁻¹³ (about 10⁻⁴) of what is known of the size of the variable: its start,
 //! or, where that is 0, `s_i / |J_ij|` over the variables that start elsewhere, in the equation where this is
-//! nearest to 1. Only a variable that starts at 0 in equations with others that do has `k_j >= 2⁻²⁰` (about
-//! 10⁻⁶) in the units of the model, so that the rounding of numbers of order 1 to 10 is accepted.
+//! nearest to 1; an equation whose variables all start at 0 says `2⁻⁷`. So a variable that starts at 0
+//! among others that do has `k_j >= 2⁻²⁰` (about 10⁻⁶) in the units of the model, and the rounding of
+//! numbers of order 1 to 10 is accepted.
 //!
 //! Where `z_i` stands on a bound and `F_i` has the sign that keeps it there, the equation is met whatever
 //! its derivatives: they need not be finite (`√z + 1` at 0).
@@ -64,8 +65,8 @@ pub struct Certificate {
     pub vanishing_row: Option<usize>,
     /// A variable beyond 10¹² times its start (or 1).
     pub diverging: Option<usize>,
-    /// A variable beyond 2²⁶ times its start (or 1) while in every equation with such variables that must
-    /// hold `|F_i − (J z)_i| <= 8ε s_i`: whatever constants there are have been lost in rounding.
+    /// A variable beyond 2²⁶ times its start (or 1) while every equation with such variables that must
+    /// hold is their terms alone, but for `8ε s_i`: whatever else is in it has been lost in rounding.
     pub constants_lost: Option<usize>,
 }
 

@@ -271,8 +271,13 @@ fn exchange(to: &mut Vec<f64>, from: &mut Vec<f64>) {
 fn finish(run: &mut Run<'_>, status: Status, solution: &mut Solution) {
     let certificate = run.certificate.unwrap_or_else(|| run.certify());
     solution.status = match certificate.verdict(run.options.tol, run.options.tol_relative) {
-        // Robust can tell a solution at infinity from one at hand where the certificate cannot.
-        Verdict::Accepted if status != Status::SolvedAsymptotically => Status::Solved,
+        // Robust can tell a solution at infinity from one at hand where the certificate cannot; Lemke has not
+        // looked at a problem that is not affine.
+        Verdict::Accepted
+            if !matches!(status, Status::SolvedAsymptotically | Status::NotAffine) =>
+        {
+            Status::Solved
+        }
         _ => status,
     };
     solution.certificate = certificate;

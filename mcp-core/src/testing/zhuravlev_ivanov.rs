@@ -135,9 +135,10 @@ impl TimeStepper for ZhuravlevIvanovStepper {
     }
 
     fn size(&self) -> Result<StepSize, DynamicsError> {
-        let of_problem = self.problem.operations().total() + self.problem.jacobian_operations()?;
-        // And two subtractions for the state.
-        let (nonzeros, operations) = (self.problem.pattern().nnz(), of_problem + 2);
-        Ok(StepSize { unknowns: 4, nonzeros, operations })
+        let operations_of_f = self.problem.operations().total();
+        // Two subtractions are for the state.
+        let operations = operations_of_f + self.problem.jacobian_operations()? + 2;
+        let nonzeros = self.problem.pattern().nnz();
+        Ok(StepSize { unknowns: 4, nonzeros, operations, operations_of_f })
     }
 }

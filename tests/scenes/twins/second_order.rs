@@ -165,8 +165,8 @@ impl Twin for Bodies<'_> {
         for (c, contact) in self.contacts.iter().enumerate() {
             let (gap, row) = (contact.place)(&self.q);
             let rate = times(&row, &self.v);
-            let reach = if contact.impulses[0] > 0.0 { 1e-9 } else { 0.0 };
-            if (gap + rate.scale(gamma * h)).value() <= reach {
+            let rests = rate.value() == 0.0 || contact.impulses[0] > 0.0;
+            if (gap + rate.scale(gamma * h)).value() <= if rests { 1e-9 } else { 0.0 } {
                 closed.push(c);
                 offsets.push(contact.restitution.map(|e| (rate, e)));
                 let tangent = contact.tangent.as_ref().map(|tangent| tangent(&row));

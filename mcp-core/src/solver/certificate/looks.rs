@@ -15,17 +15,20 @@ impl Certifier {
         let (shape, pattern) = (problem.shape(), problem.pattern());
         let has_grown = |j: &usize| z[*j].abs() > GROWN * shape.start()[*j].abs().max(1.0);
         let first = (0..z.len()).find(has_grown)?;
-        // Constants `F − J z`, and which equations they are asked of.
+        // What is left of `F` without the terms that have grown, and which equations are asked for it.
         let (constant, bounds) = (&mut self.beside, shape.bounds());
         constant.copy_from_slice(&self.f);
         self.f_beside.fill(0.0);
         for j in 0..z.len() {
             for k in pattern.column(j) {
                 let i = pattern.row(k);
+                if !has_grown(&j) || self.jac[k] == 0.0 {
+                    continue;
+                }
                 constant[i] -= self.jac[k] * z[j];
                 let must_hold =
                     z[i] - bounds.lower()[i] > self.f[i] && z[i] - bounds.upper()[i] < self.f[i];
-                if must_hold && has_grown(&j) && self.jac[k] != 0.0 {
+                if must_hold {
                     self.f_beside[i] = 1.0;
                 }
             }

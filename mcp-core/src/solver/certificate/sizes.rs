@@ -35,8 +35,8 @@ impl Sizes {
     }
 
     /// `k_j = max(|z_j|, 2⁻¹³ |z_j⁰|)`. For a start of 0 a size `s_i / |J_ij|` stands for it, with `s_i` over
-    /// the variables that do not start there: of several the one nearest to 1. If there is none,
-    /// `k_j >= 2⁻²⁰`.
+    /// the variables that do not start there: of several the one nearest to 1. An equation of variables
+    /// that all start at 0 says `2⁻⁷`.
     fn know(&mut self, pattern: &Pattern, start: &[f64], z: &[f64], jac: &[f64]) {
         let floor = |j: usize| FLOOR * start[j].abs();
         for j in 0..z.len() {
@@ -48,33 +48,30 @@ impl Sizes {
         add_terms(pattern, jac, &self.known, &mut self.of_row);
         for j in 0..z.len() {
             if self.known[j] == 0.0 {
-                let (least, most) = self.ratios(pattern, jac, j);
+                let (mut least, mut most) = (f64::INFINITY, 0.0_f64);
+                for k in pattern.column(j).filter(|&k| counts(jac[k])) {
+                    let size = self.of_row[pattern.row(k)];
+                    let ratio = if size > 0.0 { size / jac[k].abs() } else { ZERO_FLOOR / FLOOR };
+                    (least, most) = (least.min(ratio), most.max(ratio));
+                }
                 let floor =
                     if least <= most { FLOOR * least.max(most.min(1.0)) } else { ZERO_FLOOR };
-                self.known[j] = z[j].abs().max(floor);
+                self.known[j] = z[j].abs().max(floor.min(f64::MAX));
             }
         }
     }
 
-    /// The least and the largest `s_i / |J_ij|` over the equations with a size: changes of `z_j` that
-    /// matter in some equation, in all of them. In none, the least is larger.
-    fn ratios(&self, pattern: &Pattern, jac: &[f64], j: usize) -> (f64, f64) {
-        pattern.column(j).fold((f64::INFINITY, 0.0), |(least, most): (f64, f64), k| {
-            let size = self.of_row[pattern.row(k)];
-            if !(counts(jac[k]) && size > 0.0) {
-                return (least, most);
-            }
-            let ratio = (size / jac[k].abs()).min(f64::MAX);
-            (least.min(ratio), most.max(ratio))
-        })
-    }
-
-    /// `w_j = max(k_j, min_i s_i / |J_ij|)`, but no more than the width of the box, unless `|z_j|` is.
+    /// `w_j = max(k_j, min_i s_i / |J_ij|)`, but no more than the width of the box, unless `|z_j|` is, and than
+    /// the start (or 1), unless that is 0.
     fn weigh(&mut self, shape: &Shape, pattern: &Pattern, z: &[f64], jac: &[f64]) {
         let bounds = shape.bounds();
         for j in 0..z.len() {
-            let (least, most) = self.ratios(pattern, jac, j);
-            let own = if least <= most { self.known[j].max(least) } else { self.known[j] };
+            let ratio = |k: usize| self.of_row[pattern.row(k)] / jac[k].abs();
+            let matters = pattern.column(j).filter(|&k| counts(jac[k])).map(ratio);
+            let start = shape.start()[j].abs();
+            let most = if start > 0.0 { start.max(1.0) } else { f64::MAX };
+            let least = matters.fold(f64::INFINITY, f64::min);
+            let own = self.known[j].max(if least < f64::INFINITY { least.min(most) } else { 0.0 });
             let width = bounds.upper()[j] - bounds.lower()[j];
             // Nothing can be resolved in a box of subnormal width.
             let is_box = width >= f64::MIN_POSITIVE;
