@@ -59,17 +59,18 @@ impl Search<'_, '_> {
     /// Where all variables stand on bounds that `F` keeps them at, `J` need not be finite.
     pub(super) fn judge_on_bounds(&mut self) -> Flow {
         let memory = &*self.memory;
-        if memory.view.natural_max(&memory.here) == 0.0 && self.ask() == Verdict::Accepted {
-            self.report()?;
-            return Break(Status::Solved);
-        }
-        Continue(())
+        if memory.view.natural_max(&memory.here) == 0.0 { self.judge_start() } else { Continue(()) }
     }
 
     /// A start of zeros may be a solution but for rounding, from which no scales follow.
     pub(super) fn judge_zeros(&mut self) -> Flow {
         let is_zero = self.memory.start.iter().all(|z| *z == 0.0);
-        if is_zero && self.ask() == Verdict::Accepted {
+        if is_zero { self.judge_start() } else { Continue(()) }
+    }
+
+    /// Ends the solve if the certificate accepts the start.
+    fn judge_start(&mut self) -> Flow {
+        if self.ask() == Verdict::Accepted {
             self.report()?;
             return Break(Status::Solved);
         }
@@ -91,18 +92,7 @@ impl Search<'_, '_> {
         memory.size.fill(0.0);
         pattern.add_sizes(&memory.jac, |j| memory.weight[j], &mut memory.size);
         let Point { z: y, f: g, .. } = &memory.here;
-        let mut e = 0.0_f64;
-        for i in 0..y.len() {
-            let (w, s) = (memory.weight[i], memory.size[i]);
-            let ratio = if g[i] == 0.0 { 0.0 } else { g[i] / s.min(f64::MAX) };
-            let (above, below) =
-                ((y[i] - memory.view.lower[i]) / w, (y[i] - memory.view.upper[i]) / w);
-            let middle = above.min(below.max(ratio)).abs();
-            if !(middle <= e) {
-                e = middle;
-            }
-        }
-        e
+        memory.largest_residual(y, g, (&memory.view.lower, &memory.view.upper))
     }
 
     fn keep_best(&mut self, e: f64) {
@@ -224,16 +214,21 @@ impl Search<'_, '_> {
         run.problem.pattern().add_sizes(jac, |j| memory.weight[j], &mut memory.size);
         let (z, f, bounds) =
             (&memory.model_z, run.work.certifier.f(), run.problem.shape().bounds());
-        (0..z.len()).fold(0.0, |worst: f64, i| {
-            let w = memory.weight[i];
-            let (above, below) = ((z[i] - bounds.lower()[i]) / w, (z[i] - bounds.upper()[i]) / w);
-            let ratio = if f[i] == 0.0 { 0.0 } else { f[i] / memory.size[i].min(f64::MAX) };
-            worst.max(above.min(below.max(ratio)).abs())
-        })
+        memory.largest_residual(z, f, (bounds.lower(), bounds.upper()))
     }
 }
 
 impl Memory {
+    /// `max_i |mid((z_i − l_i)/w_i, F_i/s_i, (z_i − u_i)/w_i)|` with the weights and sizes at hand.
+    fn largest_residual(&self, z: &[f64], f: &[f64], (l, u): (&[f64], &[f64])) -> f64 {
+        (0..z.len()).fold(0.0, |worst: f64, i| {
+            let (w, s) = (self.weight[i], self.size[i]);
+            let ratio = if f[i] == 0.0 { 0.0 } else { f[i] / s.min(f64::MAX) };
+            let middle = ((z[i] - l[i]) / w).min(((z[i] - u[i]) / w).max(ratio)).abs();
+            if middle <= worst { worst } else { middle }
+        })
+    }
+
     /// The size of a variable at the start, or the unit of the first scales where it starts at 0.
     fn own(&self, j: usize) -> f64 {
         match self.start[j].abs() {
