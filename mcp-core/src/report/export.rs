@@ -85,8 +85,7 @@ impl Report {
                 .filter(exists)
                 .map(|i| self.shape.equation_name(i)),
             diverging_variable: certificate
-                .diverging
-                .or(certificate.constants_lost)
+                .runaway()
                 .filter(exists)
                 .map(|j| self.shape.variable_name(j)),
             start_was_moved: solution.start_was_moved,

@@ -98,9 +98,7 @@ impl Report {
             let name = clean(&self.shape.equation_name(i));
             line("vanishing", format!("equation `{name}` has lost all its derivatives"))?;
         }
-        if let Some(j) =
-            certificate.diverging.or(certificate.constants_lost).filter(|&j| j < self.row_count())
-        {
+        if let Some(j) = certificate.runaway().filter(|&j| j < self.row_count()) {
             let name = clean(&self.shape.variable_name(j));
             let level = number(self.solution.z[j]);
             line("diverging", format!("variable `{name}` has run away to {level}"))?;

@@ -36,8 +36,9 @@ mod looks;
 mod sizes;
 
 use crate::error::ModelError;
-use crate::model::Shape;
+use crate::model::{Bounds, Shape};
 use crate::problem::Problem;
+use crate::solver::workspace::resize;
 use sizes::Sizes;
 
 /// Relative residual of a point that deserves a second look.
@@ -82,6 +83,11 @@ pub enum Verdict {
 }
 
 impl Certificate {
+    /// The variable that makes the point look like a solution at infinity, if one does.
+    pub fn runaway(&self) -> Option<usize> {
+        self.diverging.or(self.constants_lost)
+    }
+
     /// Before anything was judged.
     pub(crate) fn nothing() -> Self {
         Certificate {
@@ -215,8 +221,7 @@ impl Certifier {
     pub(crate) fn judge(&mut self, problem: &mut dyn Problem, z: &[f64]) -> Certificate {
         self.resize(z.len(), problem.pattern().nnz());
         problem.evaluate(z, Some(&mut self.f), Some(&mut self.jac));
-        self.forgive(problem, z);
-        let is_finite = all_finite(&self.f) && all_finite(&self.jac) && all_finite(z);
+        let is_finite = self.forgive(problem, z) && all_finite(&self.f) && all_finite(z);
         if is_finite {
             self.sizes.measure(problem.shape(), problem.pattern(), z, &self.jac);
         }
@@ -233,9 +238,10 @@ impl Certifier {
     }
 
     /// Zeros in `J` where it is not finite and need not be: in equations met by a variable on its bound.
-    fn forgive(&mut self, problem: &dyn Problem, z: &[f64]) {
+    /// Whether it is finite then.
+    fn forgive(&mut self, problem: &dyn Problem, z: &[f64]) -> bool {
         if all_finite(&self.jac) {
-            return;
+            return true;
         }
         let bounds = problem.shape().bounds();
         for (entry, i) in self.jac.iter_mut().zip(problem.pattern().rows()) {
@@ -245,6 +251,7 @@ impl Certifier {
                 *entry = 0.0;
             }
         }
+        all_finite(&self.jac)
     }
 
     /// The residuals, from `F` and the sizes.
@@ -280,8 +287,7 @@ impl Certifier {
                 certificate.relative_residual = relative;
                 certificate.worst_relative = i;
             }
-            let must_hold = above > f && below < f;
-            if must_hold && self.sizes.of_row[i] == 0.0 {
+            if must_hold(shape.bounds(), i, z[i], f) && self.sizes.of_row[i] == 0.0 {
                 certificate.vanishing_row.get_or_insert(i);
             }
         }
@@ -304,12 +310,9 @@ pub(super) fn middle(above: f64, f: f64, below: f64) -> f64 {
     if f.is_nan() || above.is_nan() || below.is_nan() { f64::NAN } else { above.min(below.max(f)) }
 }
 
-/// Zeros of another length, or else the list as it is. Fresh zeros cost no memory before they are
-/// written.
-fn resize<T: Clone + Default>(list: &mut Vec<T>, len: usize) {
-    if list.len() != len {
-        *list = vec![T::default(); len];
-    }
+/// Whether `F_i = 0` is asked for: `F_i` is nearer to 0 than `z_i` to the bound on its side.
+fn must_hold(bounds: &Bounds, i: usize, z: f64, f: f64) -> bool {
+    z - bounds.lower()[i] > f && z - bounds.upper()[i] < f
 }
 
 fn all_finite(values: &[f64]) -> bool {

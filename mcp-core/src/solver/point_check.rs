@@ -282,8 +282,7 @@ impl PointCheck {
     }
 
     fn asymptotic(&self) -> WrongPoint {
-        let Certificate { vanishing_row, diverging, constants_lost, .. } = self.certificate;
-        let place = vanishing_row.or(diverging).or(constants_lost);
+        let place = self.certificate.vanishing_row.or(self.certificate.runaway());
         let i = place.unwrap_or(self.certificate.worst);
         WrongPoint::Asymptotic {
             residual: self.residual(),

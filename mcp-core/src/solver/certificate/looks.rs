@@ -1,6 +1,6 @@
 //! Second looks of the certificate at a point that might be accepted.
 
-use super::{Certifier, all_finite};
+use super::{Certifier, all_finite, must_hold};
 use crate::problem::Problem;
 
 /// Growth from which rounding in a sum of terms is more than the default of `tol_relative` of its
@@ -19,16 +19,11 @@ impl Certifier {
         let (constant, bounds) = (&mut self.beside, shape.bounds());
         constant.copy_from_slice(&self.f);
         self.f_beside.fill(0.0);
-        for j in 0..z.len() {
-            for k in pattern.column(j) {
+        for j in (0..z.len()).filter(has_grown) {
+            for k in pattern.column(j).filter(|&k| self.jac[k] != 0.0) {
                 let i = pattern.row(k);
-                if !has_grown(&j) || self.jac[k] == 0.0 {
-                    continue;
-                }
                 constant[i] -= self.jac[k] * z[j];
-                let must_hold =
-                    z[i] - bounds.lower()[i] > self.f[i] && z[i] - bounds.upper()[i] < self.f[i];
-                if must_hold {
+                if must_hold(bounds, i, z[i], self.f[i]) {
                     self.f_beside[i] = 1.0;
                 }
             }
@@ -45,9 +40,8 @@ impl Certifier {
         own.fill(0.0);
         problem.pattern().add_sizes(&self.jac, |j| z[j].abs(), own);
         (0..z.len()).any(|i| {
-            let (f, l, u) = (self.f[i], bounds.lower()[i], bounds.upper()[i]);
-            let must_hold = z[i] - l > f && z[i] - u < f;
-            must_hold && f.abs() > BESIDE * own[i]
+            let f = self.f[i];
+            must_hold(bounds, i, z[i], f) && f.abs() > BESIDE * own[i]
         })
     }
 

@@ -1,8 +1,8 @@
 //! What counts as small: the sizes `w_j` of variables and `s_i` of equations.
 
-use super::resize;
 use crate::model::Shape;
 use crate::problem::Pattern;
+use crate::solver::workspace::resize;
 
 /// Share of its start below which a variable counts as that large: `2⁻¹³`, about `10⁻⁴`.
 const FLOOR: f64 = 1.0 / 8192.0;
