@@ -13,9 +13,17 @@ fn said(name: &str, from: &str, to: &str) -> String {
     }
 }
 
+/// What is said of each file, with `from` once replaced by `to`, contains the message.
+fn check(cases: &[(&str, &str, &str, &str)]) {
+    for (name, from, to, message) in cases {
+        let said = said(name, from, to);
+        assert!(said.contains(message), "`{said}` does not contain `{message}`");
+    }
+}
+
 #[test]
 fn a_fault_is_named_with_file_line_and_key() {
-    for (name, from, to, message) in [
+    check(&[
         (
             "bouncing_ball",
             "\"gravity\", ",
@@ -95,10 +103,7 @@ fn a_fault_is_named_with_file_line_and_key() {
             "input = [2.0]",
             "`relay.input`: the input of s1 has 1",
         ),
-    ] {
-        let said = said(name, from, to);
-        assert!(said.contains(message), "`{said}` does not contain `{message}`");
-    }
+    ]);
 }
 
 #[test]
@@ -107,7 +112,7 @@ fn every_number_is_refused_with_line_and_key() {
     let on_floor = |line: &str| format!("{floor}{line}\n");
     let [normal, offset] = ["normal = [0.0, nan]", "offset = inf"].map(on_floor);
     let [straight, stiff] = ["rest = 0.5", "stiffness = 400.0"];
-    for (name, from, to, message) in [
+    check(&[
         (
             "bouncing_ball",
             "steps = 2000",
@@ -234,10 +239,7 @@ fn every_number_is_refused_with_line_and_key() {
         ("zhuravlev_ivanov", "kappa = 0.7", "kappa = nan", "11: `zhuravlev_ivanov.kappa`: is NaN"),
         ("zhuravlev_ivanov", "= 9.81", "= inf", "12: `zhuravlev_ivanov.acceleration`: is inf, but"),
         ("zhuravlev_ivanov", "[1.0, 10.0]", "[nan, 10.0]", "10: `zhuravlev_ivanov.start`: is NaN"),
-    ] {
-        let said = said(name, from, to);
-        assert!(said.contains(message), "`{said}` does not contain `{message}`");
-    }
+    ]);
 }
 
 #[test]
@@ -255,7 +257,7 @@ fn a_name_is_used_once() {
             format!("scene.toml:31: `contact.name`: the name `{name}` is used twice")
         );
     }
-    for (name, from, to, message) in [
+    check(&[
         (
             "column_of_beads",
             "name = \"1-2\"",
@@ -272,15 +274,12 @@ fn a_name_is_used_once() {
         ("two_relays", "name = \"s2\"", "name = \"x1\"", "20: `relay.name`: the name `x1` is used"),
         ("two_relays", "\"x1\", \"x2\"", "\"x1\", \"x1\"", "10: `system.states`: the name `x1`"),
         ("rlc_diode", "name = \"L\"", "name = \"C\"", "19: `element.name`: the name `C` is used"),
-    ] {
-        let said = said(name, from, to);
-        assert!(said.contains(message), "`{said}` does not contain `{message}`");
-    }
+    ]);
 }
 
 #[test]
 fn what_cannot_act_is_refused_with_line_and_key() {
-    for (name, from, to, message) in [
+    check(&[
         // A body that only falls does not slip.
         (
             "bouncing_ball",
@@ -318,10 +317,7 @@ fn what_cannot_act_is_refused_with_line_and_key() {
             "between = [\"top\", \"top\"]",
             "`element`:",
         ),
-    ] {
-        let said = said(name, from, to);
-        assert!(said.contains(message), "`{said}` does not contain `{message}`");
-    }
+    ]);
     let text = text_of("bouncing_ball").replace("\"restitution\"]", "\"friction\"]");
     let error = Scene::parse("scene.toml", &text.replace("restitution =", "friction =")).err();
     let message =
