@@ -16,8 +16,8 @@
 //!
 //! What the schemes do to energy: in flight, with linear springs, Moreau–Jean(½) conserves it up to
 //! rounding; dampers, drag, impacts with restitution and friction take it
-//! ([`MoreauJean::balance`]), and joints by `O(h)`: a pendulum of 1 m swings down with 18 % less at `h = 2` ms after ten
-//! seconds. It can rise where a contact that already opens is pressed again within
+//! ([`MoreauJean::balance`]), and joints by `O(h)`: the pendulum of the example `scenes`, without drag and wall, loses 3.4 J in ten seconds at
+//! `h = 2` ms and 1.8 J at half of that. It can rise where a contact that already opens is pressed again within
 //! the step, by `O(h²)`: a ball gains at most `m (1−e) / (8 (1+e)) · (g h)²`. It can also rise where
 //! friction and restitution meet, since Newton's law of impact looks at normal velocities alone.
 
