@@ -39,6 +39,7 @@ fn alone(edit: impl FnOnce(&mut Robust)) -> Options {
             &mut r.rescale,
             &mut r.proximal,
             &mut r.starts,
+            &mut r.backtracking,
         ] {
             *budget = 0;
         }
@@ -53,7 +54,7 @@ fn every_stage_but_pivoting_solves_a_sparse_problem_alone() {
     let model = Spring::builder().nodes(nodes).h(1.0 / (nodes as f64 + 1.0)).build().unwrap();
     let mut problem = AdProblem::new(&model).unwrap();
     let defaults = Robust::default();
-    let stages: [(Stage, SwitchOn); 9] = [
+    let stages: [(Stage, SwitchOn); 10] = [
         (Stage::Crash, |r, d| r.crash = d.crash),
         (Stage::Semismooth, |r, d| r.semismooth = d.semismooth),
         (Stage::Sized, |r, d| r.sized = d.sized),
@@ -63,6 +64,7 @@ fn every_stage_but_pivoting_solves_a_sparse_problem_alone() {
         (Stage::Rescaled, |r, d| r.rescale = d.rescale),
         (Stage::Proximal, |r, d| r.proximal = d.proximal),
         (Stage::Starts, |r, d| r.starts = d.starts),
+        (Stage::Backtracking, |r, d| r.backtracking = d.backtracking),
     ];
     for (stage, switch_on) in stages {
         let solution = solve(&mut problem, &alone(|r| switch_on(r, &defaults)));

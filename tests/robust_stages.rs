@@ -20,6 +20,7 @@ fn only(edit: impl FnOnce(&mut Robust)) -> Options {
             &mut r.sized,
             &mut r.proximal,
             &mut r.starts,
+            &mut r.backtracking,
         ] {
             *budget = 0;
         }
@@ -92,6 +93,29 @@ fn smoothing_and_penalties_alone_solve_a_monotone_problem() {
         assert_eq!(ended_by(testing::nocedal_16_4, 0, &alone), Some(stage));
         assert_eq!(ended_by(testing::rosen_suzuki, 0, &alone), Some(stage));
     }
+}
+
+#[test]
+fn backtracking_solves_an_economy_in_exponents_of_prices_where_other_stages_run_away() {
+    // Excess supply of two goods at prices e^z; it hardly changes with the level of prices.
+    let owned = [1e4, 1e2];
+    let demand = [[4000.0, 70.0], [5000.0, 20.0]];
+    let mut economy = dense(&[common::FREE; 2], &[2.0, 2.0], move |z, f, jac| {
+        for i in 0..2 {
+            let spent = |j: usize| demand[i][j] * (z[j] - z[i]).exp();
+            let (fixed, other) = (0.1 * (-z[i]).exp(), spent(1 - i));
+            f[i] = owned[i] - fixed - spent(i) - other;
+            jac[i + 2 * i] = fixed + other;
+            jac[i + 2 * (1 - i)] = -other;
+        }
+    });
+    let solution = solve(&mut economy, &Options::default());
+    assert_eq!(solution.stages.last().map(|s| s.stage), Some(Stage::Backtracking));
+    assert!(solution.is_solved(), "{}", solution.status);
+    let alone = only(|r| (r.crash, r.semismooth, r.backtracking) = (0, 0, 80));
+    assert!(solve(&mut economy, &alone).is_solved());
+    let without = Options::default().with(|o| o.robust.backtracking = 0);
+    assert!(!solve(&mut economy, &without).is_solved());
 }
 
 #[test]

@@ -438,7 +438,7 @@ fn robust_names_what_can_move_together() {
     assert!((entries[0].1 / entries[1].1 - 1.0).abs() < 1e-6, "{entries:?}");
     let text = solution.diagnosis.as_ref().unwrap().describe(problem.shape());
     assert!(text.contains("`z[1]`") && text.contains("`z[2]`"), "{text}");
-    assert_eq!(solution.stages.last().unwrap().end, StageEnd::Budget);
+    assert_eq!(solution.stages.last().unwrap().stage, Stage::Backtracking);
 }
 
 #[test]

@@ -62,7 +62,7 @@ use Method::{NewtonFb, NewtonMinFb};
 use Way::{Alone, Cold, Multigrid, Nested, Simplicial};
 
 /// Every line, in order.
-pub(crate) const CASES: [Case; 39] = [
+pub(crate) const CASES: [Case; 40] = [
     case(M, 40, Cold(NewtonMinFb), (Some(0.020), None)),
     case(M, 40, Cold(Method::Robust), (Some(0.020), None)),
     case(S, 40, Cold(Method::Robust), (Some(0.020), None)),
@@ -101,6 +101,7 @@ pub(crate) const CASES: [Case; 39] = [
     case(S, 316, Alone(Stage::Rescaled), (None, None)),
     case(S, 316, Alone(Stage::Proximal), (None, None)),
     case(S, 316, Alone(Stage::Starts), (None, None)),
+    case(S, 316, Alone(Stage::Backtracking), (None, None)),
     case(Kind::Doubled, 224, Alone(Stage::Semismooth), (None, None)),
 ];
 
@@ -116,6 +117,7 @@ fn alone(stage: Stage, options: &mut Robust) {
         (Stage::Rescaled, &mut options.rescale),
         (Stage::Proximal, &mut options.proximal),
         (Stage::Starts, &mut options.starts),
+        (Stage::Backtracking, &mut options.backtracking),
     ];
     for (other, budget) in budgets {
         if other != stage {

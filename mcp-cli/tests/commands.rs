@@ -291,7 +291,7 @@ fn batch_goes_on_behind_bad_files() {
                    jacobian_evaluations,seconds,message";
     assert_eq!(rows[0].join(","), columns);
     let statuses: Vec<&str> = rows[1..].iter().map(|row| row[3]).collect();
-    let expected = ["solved", "unreadable", "solved", "stalled", "solved", "unreadable"];
+    let expected = ["solved", "unreadable", "solved", "stationary_point", "solved", "unreadable"];
     assert_eq!(statuses, expected);
 }
 

@@ -18,8 +18,7 @@
 use super::check::check_sane;
 use super::random::Random;
 use crate::common::{FREE, INF, dense, solve_from};
-use mcp_core::{Method, Options, Problem};
-use std::collections::BTreeMap;
+use mcp_core::{Method, Options, Problem, Solution};
 
 /// An increasing function.
 #[derive(Clone, Copy, Debug)]
@@ -144,8 +143,6 @@ impl Manufactured {
 }
 
 /// Starts: zeros, ones, random, far and near ones, lower bounds or 0.
-const STARTS: [&str; 6] = ["zeros", "ones", "random", "far", "near", "lower bounds"];
-
 fn starts(random: &mut Random, bounds: &[(f64, f64)]) -> [Vec<f64>; 6] {
     let n = bounds.len();
     let mut spread = |size: f64| -> Vec<f64> { (0..n).map(|_| size * random.unit()).collect() };
@@ -271,27 +268,49 @@ fn unsolvable(
     (kind, text, bounds, problem)
 }
 
-/// Known: two equations that contradict each other by less than `1e-9` of their cubes at a start of size
-/// `10⁴`.
+/// Share of the terms of an equation that its rounding can hide: 64 units in the last place.
+const HIDDEN: f64 = 64.0 * f64::EPSILON;
+
+/// Whether all residuals are lost in the rounding of the terms `Σ_j |J_ij z_j|` at a point, as `x³ = 0` and
+/// `x³ + 1 = 0` are from `10⁵` on: there the problem cannot be told from one with a solution.
+fn is_hidden_by_rounding(problem: &mut impl Problem, solution: &Solution) -> bool {
+    let (z, f) = (&solution.z, &solution.f);
+    let mut jac = vec![0.0; problem.pattern().nnz()];
+    problem.evaluate(z, None, Some(&mut jac));
+    let mut terms = vec![0.0; z.len()];
+    for (k, i, j) in problem.pattern().entries() {
+        terms[i] += (jac[k] * z[j]).abs();
+    }
+    let bounds = problem.shape().bounds();
+    (0..z.len()).all(|i| {
+        let residual = (z[i] - bounds.lower()[i]).min((z[i] - bounds.upper()[i]).max(f[i]));
+        residual.abs() <= HIDDEN * terms[i]
+    })
+}
+
 #[test]
-fn nothing_but_contrary_cubes_from_afar_is_claimed_where_there_is_no_solution() {
+fn nothing_is_claimed_where_there_is_no_solution() {
     let mut random = Random(12);
-    let mut claimed = BTreeMap::<String, usize>::new();
     let mut wrong = Vec::new();
+    let mut hidden = 0;
     for number in 0..400 {
         let (kind, text, bounds, mut problem) = unsolvable(&mut random, 1 + number % 4);
-        for (from, start) in STARTS.iter().zip(starts(&mut random, &bounds)) {
+        for start in starts(&mut random, &bounds) {
             for method in NONLINEAR {
                 let solution = solve_from(&mut problem, &start, &Options::new(method));
                 let case = format!("{number} from {start:?} by {method}: {kind:?}, {text}");
                 check_sane(&mut problem, &solution, &case);
-                if solution.is_solved() {
-                    *claimed.entry(format!("{method} on {kind:?} from {from}")).or_default() += 1;
+                if !solution.is_solved() {
+                    continue;
+                }
+                if is_hidden_by_rounding(&mut problem, &solution) {
+                    hidden += 1;
+                } else {
                     wrong.push(format!("{case}: {:?} {:?}", solution.z, solution.f));
                 }
             }
         }
     }
-    let known = BTreeMap::from([("robust on Contrary from far".to_owned(), 19)]);
-    assert_eq!(claimed, known, "{:#?}", wrong.iter().take(30).collect::<Vec<_>>());
+    assert!(wrong.is_empty(), "{} {:#?}", wrong.len(), &wrong[..wrong.len().min(10)]);
+    assert!(hidden <= 10, "{hidden} claims of 9600");
 }

@@ -162,6 +162,9 @@ pub(crate) struct Certifier {
     f: Vec<f64>,
     jac: Vec<f64>,
     sizes: Sizes,
+    /// Whether an equation that must hold does so only by what `k` adds to its size, or a variable between its
+    /// bounds is in no equation.
+    leans: bool,
     /// A point beside the one judged, and `F` there.
     beside: Vec<f64>,
     f_beside: Vec<f64>,
@@ -208,6 +211,19 @@ impl Certifier {
         &self.sizes.of_row
     }
 
+    /// Whether, at the point judged last, an equation that must hold does so only by what is known of the
+    /// sizes of variables beside their values, or a variable between its bounds is in no equation.
+    pub(crate) fn leans(&self) -> bool {
+        self.leans
+    }
+
+    /// Where, at the point judged last, `F` is infinite with variables put onto the bounds next to them: the
+    /// equation, its value and that point. Only where residuals are small and the certificate is not finite.
+    pub(crate) fn infinite_on_bounds(&self) -> Option<(usize, f64, &[f64])> {
+        let i = self.f_beside.iter().position(|f| f.is_infinite())?;
+        Some((i, self.f_beside[i], &self.beside))
+    }
+
     /// `J` at the point judged last.
     pub(crate) fn jac(&self) -> &[f64] {
         &self.jac
@@ -226,8 +242,11 @@ impl Certifier {
             self.sizes.measure(problem.shape(), problem.pattern(), z, &self.jac);
         }
         let mut certificate = self.compare(problem.shape(), z, is_finite);
+        self.leans = false;
         if certificate.relative_residual <= PROMISING {
-            if self.leans_on_known(problem, z) {
+            let leans = self.leans_on_known(problem, z);
+            self.leans = leans || self.has_free_variable(problem, z);
+            if leans {
                 self.look_beside(problem, z);
                 certificate = self.compare(problem.shape(), z, is_finite);
             }

@@ -271,10 +271,9 @@ fn exchange(to: &mut Vec<f64>, from: &mut Vec<f64>) {
 fn finish(run: &mut Run<'_>, status: Status, solution: &mut Solution) {
     let certificate = run.certificate.unwrap_or_else(|| run.certify());
     solution.status = match certificate.verdict(run.options.tol, run.options.tol_relative) {
-        // Robust can tell a solution at infinity from one at hand where the certificate cannot; Lemke has not
-        // looked at a problem that is not affine.
+        // Robust has looked further, and Lemke not at a problem that is not affine.
         Verdict::Accepted
-            if !matches!(status, Status::SolvedAsymptotically | Status::NotAffine) =>
+            if run.options.method != Method::Robust && status != Status::NotAffine =>
         {
             Status::Solved
         }

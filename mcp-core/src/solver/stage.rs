@@ -17,6 +17,8 @@ pub enum Stage {
     Semismooth,
     /// Josephy–Newton: the linearised problem solved by pivoting.
     Josephy,
+    /// Newton on the Fischer–Burmeister equations alone, with steps as short as it takes.
+    Backtracking,
     /// Smoothing continuation.
     Smoothing,
     /// Semismooth Newton on the penalised Fischer–Burmeister equations.
@@ -45,6 +47,7 @@ impl Stage {
             Stage::Crash => "crash",
             Stage::Semismooth => "semismooth",
             Stage::Josephy => "josephy",
+            Stage::Backtracking => "backtracking",
             Stage::Smoothing => "smoothing",
             Stage::Penalised => "penalised",
             Stage::Boxes => "boxes",

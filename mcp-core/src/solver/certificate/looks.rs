@@ -45,6 +45,15 @@ impl Certifier {
         })
     }
 
+    /// Whether all derivatives by a variable between its bounds are zero or subnormal.
+    pub(super) fn has_free_variable(&self, problem: &dyn Problem, z: &[f64]) -> bool {
+        let (pattern, bounds) = (problem.pattern(), problem.shape().bounds());
+        (0..z.len()).any(|j| {
+            must_hold(bounds, j, z[j], self.f[j])
+                && pattern.column(j).all(|k| self.jac[k].abs() < f64::MIN_POSITIVE)
+        })
+    }
+
     /// Rows are no larger than with the slopes at `z ± 10⁻⁸ w`; a slope that is not finite there on
     /// either side counts as none.
     pub(super) fn look_beside(&mut self, problem: &mut dyn Problem, z: &[f64]) {

@@ -1,24 +1,43 @@
 //! Why the cascade failed: told at the best point.
 
 use super::Search;
+use super::ahead::AT_START;
 use super::map::Map;
+use super::memory::Memory;
 use crate::solver::certificate::Verdict;
 use crate::solver::diagnosis::{Diagnosis, SHOWN, STATIONARY, entries_by_size, largest_entries};
-use crate::solver::stage::StageEnd;
+use crate::solver::run::Fault;
+use crate::solver::stage::{Stage, StageEnd, StageRecord};
 use crate::solver::status::Status;
+use std::ops::ControlFlow::Continue;
 
+/// Relative residual of a point that is clearly no solution.
+const CLEARLY: f64 = 1e-2;
 /// `‖H v‖∞` of a null vector `v` with largest entry 1, relative to `√(‖H‖₁ ‖H‖∞)`.
 const NULL: f64 = 1e-9;
 
 impl Search<'_, '_> {
     /// The status of a solve that no stage has ended.
     pub(super) fn diagnose(&mut self) -> Status {
+        let is_last = |record: &StageRecord| record.stage == Stage::Backtracking;
+        let end =
+            self.memory.records.last().filter(|record| is_last(record)).map(|record| record.end);
         if self.memory.asymptotic {
-            return Status::SolvedAsymptotically;
+            return self.at_infinity();
+        }
+        if end.is_some() {
+            self.keep_stuck();
+            if self.is_solved_but_for_growth() {
+                self.memory.answer_stuck();
+                return self.at_infinity();
+            }
         }
         self.go_to_best();
         if !(self.evaluate_here() && self.jacobian()) {
             return Status::DomainError;
+        }
+        if self.is_solved_but_for_growth() {
+            return self.at_infinity();
         }
         self.memory.linearise(self.run.problem.pattern());
         let gradient = self.relative_gradient();
@@ -26,31 +45,49 @@ impl Search<'_, '_> {
             self.run.work.diagnosis = Some(diagnosis);
             return Status::SingularSystem;
         }
-        let has_diverged = |record: &crate::solver::StageRecord| record.end == StageEnd::Diverged;
+        let has_diverged = |record: &StageRecord| record.end == StageEnd::Diverged;
         if self.memory.records.iter().any(has_diverged) {
             let growing = largest_entries(&self.memory.runaway);
             self.run.work.diagnosis = Some(Diagnosis::Diverged { growing });
             return Status::Diverged;
+        }
+        if gradient > STATIONARY
+            && end == Some(StageEnd::NoStep)
+            && self.is_stationary_where_stuck()
+        {
+            return Status::StationaryPoint;
         }
         let worst = self.worst_equations();
         self.run.work.diagnosis = Some(Diagnosis::Stationary { worst, gradient });
         if gradient <= STATIONARY { Status::StationaryPoint } else { Status::Stalled }
     }
 
+    /// Whether Newton alone got stuck at a stationary point, which then counts as the best: where the gradient
+    /// vanishes, or, far from a solution, where no step along it reduces the merit.
+    fn is_stationary_where_stuck(&mut self) -> bool {
+        self.memory.go_to_stuck();
+        if !(self.evaluate_here() && self.jacobian()) {
+            return false;
+        }
+        self.memory.linearise(self.run.problem.pattern());
+        let gradient = self.relative_gradient();
+        let is_stationary = gradient <= STATIONARY || self.relative_residual() > CLEARLY;
+        if is_stationary {
+            let worst = self.worst_equations();
+            self.run.work.diagnosis = Some(Diagnosis::Stationary { worst, gradient });
+            self.memory.answer_stuck();
+        }
+        is_stationary
+    }
+
     /// The best point seen becomes the answer, whatever ended the solve.
     pub(super) fn conclude(&mut self, status: Status) -> Status {
-        let Search { run, memory } = self;
         if status == Status::Solved {
             return status;
         }
-        if memory.best_residual < f64::INFINITY {
-            run.work.current.z.copy_from_slice(&memory.best);
-            memory.model_z.copy_from_slice(&memory.best);
-            let (o, certificate) = (run.options, run.certify());
-            if certificate.verdict(o.tol, o.tol_relative) == Verdict::Accepted
-                && self.is_far_from_solved()
-            {
-                return Status::SolvedAsymptotically;
+        if self.memory.best_residual < f64::INFINITY {
+            if let Some(status) = self.look_at_best() {
+                return status;
             }
             if matches!(status, Status::IterationLimit | Status::TimeLimit) {
                 let worst = self.worst_at_best();
@@ -58,9 +95,58 @@ impl Search<'_, '_> {
             }
         }
         match status {
-            Status::IterationLimit if self.memory.asymptotic => Status::SolvedAsymptotically,
+            Status::IterationLimit if self.memory.asymptotic => self.at_infinity(),
             status => status,
         }
+    }
+
+    /// What the best point turns out to be, where its residuals are small after all. Unless it is a solution it
+    /// is the one judged last.
+    fn look_at_best(&mut self) -> Option<Status> {
+        self.go_to_best();
+        let mut verdict = self.ask();
+        if verdict == Verdict::Accepted {
+            verdict = Verdict::Refused;
+            if self.evaluate_here() && self.jacobian() {
+                let e = self.relative_residual();
+                if let Continue(found) = self.look_ahead(e) {
+                    verdict = found;
+                }
+            }
+            if verdict == Verdict::Accepted {
+                return Some(Status::Solved);
+            }
+        }
+        let Search { run, memory } = self;
+        run.work.current.z.copy_from_slice(&memory.best);
+        memory.model_z.copy_from_slice(&memory.best);
+        let certificate = run.certify();
+        if verdict == Verdict::Asymptotic {
+            return Some(self.at_infinity());
+        }
+        let is_small = certificate.relative_residual <= run.options.tol_relative;
+        if is_small && let Some((equation, value, z)) = run.work.certifier.infinite_on_bounds() {
+            run.fault = Some(Fault { equation, variable: None, value });
+            run.work.fault_point.copy_from_slice(z);
+            run.work.diagnosis = None;
+            return Some(Status::DomainError);
+        }
+        None
+    }
+
+    /// Whether a variable has grown, and the residuals of the iterate are small in terms near the start.
+    fn is_solved_but_for_growth(&mut self) -> bool {
+        self.near_residual(AT_START) <= self.run.options.tol_relative
+            && (0..self.memory.unit.len()).any(|j| self.memory.growth(j) > 1.0)
+    }
+
+    /// Solved at infinity, with the variables that grow.
+    fn at_infinity(&mut self) -> Status {
+        let Search { run, memory } = self;
+        let way = memory.best.iter().zip(&memory.start).map(|(best, start)| best - start);
+        let growing = largest_entries(&way.collect::<Vec<_>>());
+        run.work.diagnosis = Some(Diagnosis::Diverged { growing });
+        Status::SolvedAsymptotically
     }
 
     /// Equations in the order of their relative residuals at the best point, which was judged last.
@@ -80,27 +166,36 @@ impl Search<'_, '_> {
         memory.view.scale(&memory.best, &mut memory.here.z);
     }
 
-    /// `‖∇θ‖∞` over the box, relative to the terms it is summed from.
+    /// `‖∇θ‖∞` over the box, relative to the terms it is summed from, or the share of `2θ` that a variable's own
+    /// size or unit changes, whichever is less.
     fn relative_gradient(&self) -> f64 {
         let memory = &*self.memory;
         let pattern = self.run.problem.pattern();
-        let (mut largest, mut terms) = (0.0_f64, 0.0_f64);
+        // Relative to the largest, squares of `Φ` do not overflow.
+        let unit = memory.here.phi.iter().fold(f64::MIN_POSITIVE, |m, x| m.max(x.abs()));
+        let phi = |i: usize| memory.here.phi[i] / unit;
+        let (mut largest, mut terms, mut change) = (0.0_f64, 0.0_f64, 0.0_f64);
         for j in 0..memory.gradient.len() {
-            let mut sum = (memory.a[j] * memory.here.phi[j]).abs();
+            let own = memory.a[j] * phi(j);
+            let (mut g, mut sum) = (own, own.abs());
             for k in pattern.column(j) {
                 let i = pattern.row(k);
-                sum += (memory.b[i] * memory.jac[k] * memory.here.phi[i]).abs();
+                let term = memory.b[i] * memory.jac[k] * phi(i);
+                g += term;
+                sum += term.abs();
             }
-            let (y, g) = (memory.here.z[j], memory.gradient[j]);
+            let y = memory.here.z[j];
             // At a bound the gradient may point out of the box.
             let is_blocked =
                 y <= memory.view.lower[j] && g > 0.0 || y >= memory.view.upper[j] && g < 0.0;
             if !is_blocked {
                 largest = largest.max(g.abs());
+                change = change.max(g.abs() * y.abs().max(memory.own(j) / memory.view.units()[j]));
             }
             terms = terms.max(sum);
         }
-        if terms > 0.0 { largest / terms } else { 0.0 }
+        let square: f64 = (0..memory.gradient.len()).map(|i| phi(i) * phi(i)).sum();
+        if terms > 0.0 { (largest / terms).min(change / square / unit) } else { 0.0 }
     }
 
     /// Equations in the order of `|Φ|`, the largest first.
@@ -140,5 +235,12 @@ impl Search<'_, '_> {
             *value = direction[*j];
         }
         Some(Diagnosis::Singular { null_vector: entries, is_homogeneous })
+    }
+}
+
+impl Memory {
+    /// The point where Newton got stuck becomes the answer.
+    fn answer_stuck(&mut self) {
+        self.best.copy_from_slice(&self.stuck);
     }
 }

@@ -6,7 +6,7 @@
 //! josephy      the linearised problem by pivoting, for small problems
 //! leap         where the crash's full step led to other scales, not taken: take it, measure there
 //! semismooth   Newton on Φ, non-monotone search, Levenberg–Marquardt where it fails;  tail
-//! cascade      josephy · sized · smoothing · penalised · boxes · rescaled · proximal · starts
+//! cascade      josephy · sized · smoothing · penalised · boxes · rescaled · proximal · starts · backtracking
 //! ```
 //!
 //! | stage | what it is | source |
@@ -22,6 +22,7 @@
 //! | smoothing | `ab = μ → 0`, iterates inside the box | [Kan96](crate#references) |
 //! | penalised | `λ φ + (1 − λ) a⁺ b⁺` | [CCK00](crate#references) |
 //! | proximal | `F + μ (z − z_k)`, out of local minima of the merit | [Bil95](crate#references) |
+//! | backtracking | Newton alone, with steps as short as it takes | [DFK96](crate#references) |
 //!
 //! No stage depends on units: iterates are the same, bit for bit, when equations or variables are
 //! multiplied by powers of two, as long as nothing over- or underflows, no scale is beyond `2^±100`, no
@@ -32,6 +33,8 @@
 //! Cost of a step: one `J`, one factorisation, one `F` for each trial point. Limits are counts
 //! ([`Robust`]), so every run takes the same path.
 
+mod ahead;
+mod backtracking;
 mod boxes;
 mod crash;
 mod diagnose;
@@ -109,6 +112,10 @@ impl Search<'_, '_> {
         self.stage_from(start, Stage::Proximal, budget.proximal, Self::proximal)?;
         self.stage_from(stuck, Stage::Proximal, budget.proximal, Self::proximal)?;
         self.stage(Stage::Starts, budget.starts, Self::starts)?;
+        // The last stage leaves room for the diagnosis.
+        let left = budget.jacobians.saturating_sub(self.run.stats.jacobian_evaluations) / 2;
+        let steps = budget.backtracking.min(left);
+        self.stage_from(start, Stage::Backtracking, steps, Self::backtracking)?;
         Break(self.diagnose())
     }
 

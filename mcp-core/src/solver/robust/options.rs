@@ -36,6 +36,8 @@ pub struct Robust {
     pub josephy: usize,
     /// Variables up to which the linearisations are solved by pivoting. Default 2000.
     pub josephy_size: usize,
+    /// Steps of Newton's method alone, as short as it takes. Default 80.
+    pub backtracking: usize,
     /// Steps of smoothing continuation. Default 70.
     pub smoothing: usize,
     /// Steps on the penalised equations. Default 120.
@@ -73,6 +75,7 @@ impl Default for Robust {
             josephy_first: 15,
             josephy: 40,
             josephy_size: 2000,
+            backtracking: 80,
             smoothing: 70,
             penalised: 120,
             penalty_weight: 0.9,

@@ -147,7 +147,7 @@ impl Search<'_, '_> {
     }
 
     /// `H d = −Φ`; false if `H` is singular or `d` no direction of descent.
-    fn newton_direction(&mut self) -> bool {
+    pub(super) fn newton_direction(&mut self) -> bool {
         self.memory.rhs.copy_from_slice(&self.memory.here.phi);
         if !self.undamped_direction() {
             return false;
@@ -159,7 +159,7 @@ impl Search<'_, '_> {
     }
 
     /// Step 2: the first step accepted in `{first, first/2, …}` down to `last`, its point in `trial`.
-    fn search_newton(&mut self, first: f64, last: f64, reference: f64) -> Option<f64> {
+    pub(super) fn search_newton(&mut self, first: f64, last: f64, reference: f64) -> Option<f64> {
         let merit = self.memory.here.merit;
         let mut t = first;
         while t >= last {
@@ -203,7 +203,7 @@ impl Search<'_, '_> {
     }
 
     /// Step 4: a step along the projected gradient, its point in `trial`.
-    fn search_gradient(&mut self) -> Option<f64> {
+    pub(super) fn search_gradient(&mut self) -> Option<f64> {
         let memory = &mut *self.memory;
         let merit = memory.here.merit;
         let square: f64 = memory.gradient.iter().map(|g| g * g).sum();

@@ -1,0 +1,317 @@
+//! A last look at a point that the certificate accepts: where would Newton's method go from there?
+//!
+//! ```text
+//! ρ = e(y + d) / e(y),  d Newton's step, or that of Levenberg–Marquardt where the matrix is singular
+//! towards a root of multiplicity m      ρ = (1 − 1/m)^m     < 1/e
+//! towards infinity, G as y^-p or e^-y   ρ = (1 + 1/p)^-p    >= 1/e
+//! past a minimum of |G|                 anything, but not twice
+//! at a root, G rounded                  anything, but G(y + 16 d) = −15 G(y) but for rounding
+//! ```
+//!
+//! It is taken where an equation holds by what is known of the sizes of its variables and not by their
+//! values, where variables have grown far, and where the matrix is singular. Cost: one `J`, one factorisation,
+//! one or two `F`; several of each near a multiple root and where the matrix is singular.
+
+use super::Search;
+use super::judge::SHARP;
+use super::memory::Memory;
+use crate::ncp::Branch;
+use crate::solver::certificate::Verdict;
+use crate::solver::monitor::Direction;
+use crate::solver::run::Flow;
+use std::ops::ControlFlow::Continue;
+
+/// Relative residual of contradictions that rounding cannot be told from, and share of the tolerance that is as
+/// good.
+const ROUNDING: f64 = 1e-14;
+const SETTLED: f64 = 1e-6;
+/// Growth, in scaled units, beyond which a small residual may be one at infinity; where polishing
+/// has made it sharp, only from the second on.
+const GROWN: [f64; 2] = [10.0, 100.0];
+/// Growth beyond which a small residual with a singular matrix is one at infinity.
+const FAR: f64 = 1e4;
+/// Growth up to which terms are counted where a variable has grown beyond [`FAR`].
+const NEAR: f64 = 100.0;
+/// The same where the matrix is singular.
+pub(super) const AT_START: f64 = 1.0;
+/// Share of the tolerance that is left of the residual, in terms near the start, at a solution with a
+/// singular matrix. What contradicts itself by more is none.
+const CONTRADICTION: f64 = 0.01;
+/// Relative Newton step of a point that still moves.
+const MOVING: f64 = 0.1;
+/// What a step towards a root multiplies the residual by, up to multiplicity 10.
+const CONTRACTION: f64 = 0.35;
+/// The same that leaves no doubt.
+const QUICK: f64 = 0.05;
+/// Newton steps, relative to the variable, that are short.
+const SHORT: f64 = 1e-4;
+/// Steps, relative to the variable or the gauge, over which `G` is linear.
+const TINY: f64 = 1e-6;
+/// Length, in Newton steps, over which `G` is looked at where it is rounded.
+const STRIDE: f64 = 16.0;
+/// Share of a variable in its equations that counts as none, and the share on the other side of a kink.
+const LOST: f64 = 1e-20;
+const SEEN: f64 = 1e-2;
+/// On the way back to where a lost variable is seen: what a step multiplies it by, and how many there are.
+const SHORTER: f64 = 0.7;
+const BACK: usize = 200;
+/// Steps that are taken to see.
+const STEPS: usize = 6;
+
+impl Search<'_, '_> {
+    /// What a point the certificate accepts, with relative residual `e`, turns out to be.
+    pub(super) fn look_ahead(&mut self, e: f64) -> Flow<Verdict> {
+        // That of the search knows the last `J` only.
+        let judged = self.run.certificate.map_or(f64::INFINITY, |c| c.relative_residual);
+        let e = e.max(judged);
+        let limit = GROWN[usize::from(e <= SHARP)];
+        let Search { run, memory } = self;
+        let leans = run.work.certifier.leans();
+        let bounds = run.problem.shape().bounds();
+        memory.view.unscale(&memory.here.z, bounds, &mut memory.model_z);
+        let growth = (0..memory.unit.len()).fold(0.0, |most: f64, j| most.max(memory.growth(j)));
+        if self.is_far_from_solved() {
+            return Continue(Verdict::Asymptotic);
+        }
+        if growth <= limit && e <= self.settled() && !leans || !self.jacobian() {
+            return Continue(Verdict::Accepted);
+        }
+        // In scales of its own, a matrix that is nearly singular is one in all units.
+        self.measure_scales();
+        if growth > FAR && self.is_free_when_far() {
+            return Continue(Verdict::Asymptotic);
+        }
+        let is_singular = !self.undamped_min_map_direction();
+        if is_singular {
+            let limit = (CONTRADICTION * self.run.options.tol_relative).max(SHARP);
+            // So is every system with multipliers that are not unique.
+            let runs_away = self.memory.asymptotic && growth > GROWN[0];
+            if runs_away || self.has_lost_a_variable() || self.near_residual(AT_START) > limit {
+                return Continue(Verdict::Asymptotic);
+            }
+        } else if self.leads_on(MOVING, limit) {
+            return Continue(Verdict::Asymptotic);
+        } else if !leans {
+            return Continue(Verdict::Accepted);
+        }
+        if self.settles(is_singular)? {
+            // The point may have moved.
+            return Continue(self.ask());
+        }
+        let is_at_infinity = !is_singular && self.leads_on(SHORT, 1.0);
+        Continue(if is_at_infinity { Verdict::Asymptotic } else { Verdict::Refused })
+    }
+
+    /// Relative residual of a point with which all is said.
+    fn settled(&self) -> f64 {
+        (SETTLED * self.run.options.tol_relative).max(ROUNDING)
+    }
+
+    /// Whether variables that have grown far could as well have grown half as far.
+    fn is_free_when_far(&mut self) -> bool {
+        self.relative_residual();
+        let memory = &mut *self.memory;
+        memory.trial.z.copy_from_slice(&memory.here.z);
+        for j in 0..memory.unit.len() {
+            if memory.growth(j) > FAR {
+                memory.trial.z[j] *= 0.5;
+            }
+        }
+        memory.view.project(&mut memory.trial.z);
+        !self.evaluate_trial().is_nan() && self.trial_residual() <= self.run.options.tol_relative
+    }
+
+    /// Whether a variable has left all equations smoothly on its way, as `z` leaves `v = e^-z`, and not at a kink,
+    /// as it leaves `v = max(0, 1 − z)`: on the way back its derivatives are small when they come into sight.
+    fn has_lost_a_variable(&mut self) -> bool {
+        let Search { run, memory } = self;
+        let pattern = run.problem.pattern();
+        let is_between = |j: usize| memory.view.natural(&memory.here, j).1 == Branch::Equation;
+        let has_gone = |j: usize| pattern.column(j).all(|k| memory.jac[k].abs() < LOST);
+        let Some(j) = (0..memory.unit.len()).find(|&j| is_between(j) && has_gone(j)) else {
+            return false;
+        };
+        let mut share = 0.0_f64;
+        memory.trial.z.copy_from_slice(&memory.model_z);
+        for _ in 0..BACK {
+            memory.trial.z[j] *= SHORTER;
+            run.stats.jacobian_evaluations += 1;
+            let jac = run.work.certifier.spare();
+            run.problem.evaluate(&memory.trial.z, None, Some(jac));
+            let (jac, size) = (run.work.certifier.jac(), run.work.certifier.row_size());
+            let pattern = run.problem.pattern();
+            share = pattern.column(j).fold(0.0, |most, k| {
+                let term = (jac[k] * memory.trial.z[j]).abs();
+                most.max(term / size[pattern.row(k)])
+            });
+            if share >= LOST {
+                break;
+            }
+        }
+        (LOST..SEEN).contains(&share)
+    }
+
+    /// Whether the direction changes a variable that has grown by more than `limit`, by more than the share
+    /// `moving`, away from 0.
+    fn leads_on(&self, moving: f64, limit: f64) -> bool {
+        let memory = &*self.memory;
+        let (y, d) = (&memory.here.z, &memory.direction);
+        (0..y.len()).any(|j| memory.growth(j) > limit && d[j].abs() > moving * y[j].abs())
+    }
+
+    /// Goes on with Newton's steps, damped ones where the matrix is singular, as long as they lead to a
+    /// root. Whether they do.
+    fn settles(&mut self, is_singular: bool) -> Flow<bool> {
+        // A residual may vanish at infinity, but there no step is right twice.
+        let least = if is_singular { 0 } else { 2 };
+        for k in 0..STEPS {
+            let e = self.relative_residual();
+            if k >= least && e <= self.settled() {
+                // At a singular matrix terms may have grown and left `G` as it was.
+                if !is_singular || self.near_residual(AT_START) <= self.settled() {
+                    break;
+                }
+                self.relative_residual();
+            }
+            if !self.min_map_direction(1e-16) {
+                return Continue(false);
+            }
+            if !is_singular && self.is_short() {
+                break;
+            }
+            let mut next = self.residual_ahead();
+            if !(next <= CONTRACTION * e) {
+                let is_noise = if is_singular { self.is_rounded() } else { self.is_straight() };
+                if is_noise {
+                    break;
+                }
+                // A matrix that is nearly singular makes much of rounding.
+                if !is_singular && self.damped_direction(1e-16) {
+                    next = self.residual_ahead();
+                }
+                if !(next <= CONTRACTION * e) {
+                    return Continue(false);
+                }
+            }
+            if k > 0 && !is_singular && next <= QUICK * e {
+                break;
+            }
+            self.swap();
+            self.run.stats.iterations += 1;
+            self.run.last = (Direction::MinMap, 1.0);
+            self.report()?;
+            if !self.jacobian() {
+                return Continue(false);
+            }
+        }
+        Continue(true)
+    }
+
+    /// Whether the direction changes no variable by more than a little of it.
+    fn is_short(&self) -> bool {
+        let memory = &*self.memory;
+        let parts = memory.direction.iter().zip(&memory.here.z);
+        parts.into_iter().all(|(d, y)| d.abs() <= SHORT * y.abs())
+    }
+
+    /// `e` at the end of the direction, in the sizes of the iterate; the trial point stays there.
+    fn residual_ahead(&mut self) -> f64 {
+        if self.evaluate(1.0).is_nan() { f64::NAN } else { self.trial_residual() }
+    }
+
+    /// The same at the trial point.
+    fn trial_residual(&self) -> f64 {
+        let memory = &*self.memory;
+        let bounds = (&memory.view.lower[..], &memory.view.upper[..]);
+        memory.largest_residual(&memory.trial.z, &memory.trial.f, bounds)
+    }
+
+    /// Whether the min map at `y + d`, the trial point, is not what its linearisation says, although `d` is tiny:
+    /// contradictions stay what they are.
+    fn is_rounded(&mut self) -> bool {
+        let memory = &mut *self.memory;
+        memory.zeta.copy_from_slice(&memory.direction);
+        memory.multiply(self.run.problem.pattern());
+        let (mut surprise, mut left) = (0.0_f64, 0.0_f64);
+        for i in 0..memory.rhs.len() {
+            let value = memory.view.natural(&memory.trial, i).0;
+            surprise =
+                surprise.max((value - memory.rhs[i] - memory.slope[i]).abs() / memory.size[i]);
+            left = left.max(value.abs() / memory.size[i]);
+        }
+        let is_tiny = |j: usize| memory.direction[j].abs() <= TINY * memory.weight[j];
+        surprise > 0.1 * left && (0..memory.weight.len()).all(is_tiny)
+    }
+
+    /// Whether `G(y + 16 d) = −15 G(y)`, but for what is left of it at `y + d`, the trial point, and rounding.
+    fn is_straight(&mut self) -> bool {
+        let memory = &mut *self.memory;
+        memory.slope.copy_from_slice(&memory.trial.f);
+        if self.evaluate(STRIDE).is_nan() {
+            return false;
+        }
+        let Search { run, memory } = self;
+        memory.size.fill(0.0);
+        let y = &memory.here.z;
+        run.problem.pattern().add_sizes(&memory.jac, |j| y[j].abs(), &mut memory.size);
+        (0..y.len()).all(|i| {
+            let (g, ahead, far) = (memory.here.f[i], memory.slope[i], memory.trial.f[i]);
+            let rounding = g.abs().max(ahead.abs()) + f64::EPSILON * memory.size[i];
+            let is_bound = memory.view.natural(&memory.here, i).1 != Branch::Equation;
+            is_bound || (far - (1.0 - STRIDE) * g).abs() <= 4.0 * rounding
+        })
+    }
+}
+
+impl Search<'_, '_> {
+    /// Whether the iterate is far away, and small residuals are due to that.
+    fn is_far_from_solved(&mut self) -> bool {
+        let memory = &*self.memory;
+        (0..memory.unit.len()).any(|j| memory.growth(j) > FAR)
+            && self.near_residual(NEAR) > self.run.options.tol_relative
+    }
+
+    /// The relative residual of the iterate, with terms no larger than where no variable has
+    /// grown by more than the factor `near`. Along a null curve of `F` terms grow and `F` stays what it was:
+    /// small relative to its terms, and no smaller than at the start.
+    pub(super) fn near_residual(&mut self, near: f64) -> f64 {
+        let Search { run, memory } = self;
+        let bounds = run.problem.shape().bounds();
+        memory.view.unscale(&memory.here.z, bounds, &mut memory.model_z);
+        memory.view.unscale_residual(&memory.here.f, &mut memory.zeta);
+        let jac = run.work.certifier.spare();
+        for j in 0..memory.weight.len() {
+            let own = memory.own(j);
+            memory.slope[j] = memory.model_z[j].clamp(-near * own, near * own);
+            memory.weight[j] = memory.slope[j].abs() + own;
+        }
+        run.problem.shape().bounds().project(&mut memory.slope);
+        for z in [&memory.slope, &memory.model_z] {
+            run.stats.jacobian_evaluations += 1;
+            run.problem.evaluate(z, None, Some(jac));
+            if jac.iter().all(|entry| entry.is_finite()) {
+                break;
+            }
+        }
+        memory.size.fill(0.0);
+        run.problem.pattern().add_sizes(jac, |j| memory.weight[j], &mut memory.size);
+        let bounds = run.problem.shape().bounds();
+        let (z, f) = (&memory.model_z, &memory.zeta);
+        memory.largest_residual(z, f, (bounds.lower(), bounds.upper()))
+    }
+}
+
+impl Memory {
+    /// The size of a variable at the start, or the unit of the first scales where it starts at 0.
+    pub(super) fn own(&self, j: usize) -> f64 {
+        match self.start[j].abs() {
+            0.0 => self.unit[j],
+            start => start,
+        }
+    }
+
+    /// `|z_j|` in `model_z`, relative to the start or to the unit of the first scales.
+    pub(super) fn growth(&self, j: usize) -> f64 {
+        self.model_z[j].abs() / self.start[j].abs().max(self.unit[j])
+    }
+}

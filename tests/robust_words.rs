@@ -1,0 +1,63 @@
+//! What `Robust` says where there is no solution: the cause, at a point that shows it.
+
+mod common;
+
+use common::{FREE, NONNEGATIVE, dense, solve};
+use mcp_core::{Diagnosis, Options, Solution, Status};
+
+/// One equation `f(z) ⟂ z` of which `f` and its derivative are given.
+fn one(bounds: (f64, f64), start: f64, f: impl Fn(f64) -> (f64, f64)) -> Solution {
+    let mut problem = dense(&[bounds], &[start], move |z, value, jac| (value[0], jac[0]) = f(z[0]));
+    solve(&mut problem, &Options::default())
+}
+
+#[test]
+fn an_exponential_without_a_bound_is_solved_at_infinity_only() {
+    for start in [-3.0, 0.5, 1.0, 10.0] {
+        let solution = one(FREE, start, |z| ((-z).exp(), -(-z).exp()));
+        assert_eq!(solution.status, Status::SolvedAsymptotically, "{start}");
+        match &solution.diagnosis {
+            Some(Diagnosis::Diverged { growing }) => assert!(growing[0].1 > 10.0, "{growing:?}"),
+            other => panic!("{other:?}"),
+        }
+    }
+}
+
+#[test]
+fn an_exponential_beside_a_variable_that_is_0_is_not_taken_for_solved() {
+    // v = e^-z and v = 0, whose start makes the size of the first equation.
+    for start in [[0.5, 1.0], [1.0, -2.0], [2.5, 1.0], [3.0, 0.3]] {
+        for pinned in [FREE, NONNEGATIVE] {
+            let mut problem = dense(&[FREE, pinned], &start, move |z, f, jac| {
+                let decay = (-z[0]).exp();
+                f.copy_from_slice(&[2.0 * z[1] - decay, 1.5 * z[1]]);
+                jac.copy_from_slice(&[decay, 0.0, 2.0, 1.5]);
+            });
+            let solution = solve(&mut problem, &Options::default());
+            assert_eq!(solution.status, Status::SolvedAsymptotically, "{start:?}: {solution:?}");
+        }
+    }
+}
+
+#[test]
+fn a_parabola_above_0_is_not_solved_from_however_far_and_said_to_have_a_minimum() {
+    let from = |start: f64| one(FREE, start, |z| (z * z + 1.0, 2.0 * z));
+    for start in [3.0, 1e3, 1e6, -1e9] {
+        let solution = from(start);
+        assert_eq!(solution.status, Status::StationaryPoint, "{start:e}: {solution:?}");
+        assert!(solution.f[0] < 1.001, "{start:e}: {:?}", solution.f);
+    }
+    for start in [1e10, 1e11, 1e12, -1e13] {
+        assert!(!from(start).is_solved(), "{start:e}");
+    }
+}
+
+#[test]
+fn a_root_beside_an_infinity_on_the_bound_is_a_domain_error_that_names_the_bound() {
+    // ln z + 700 is 0 at 10^-304 and −∞ on the bound.
+    let solution = one(NONNEGATIVE, 1.0, |z| (z.ln() + 700.0, 1.0 / z));
+    assert_eq!(solution.status, Status::DomainError);
+    let fault = solution.fault.expect("a domain error has one");
+    assert_eq!((fault.equation, fault.z[0]), (0, 0.0));
+    assert_eq!(fault.value, f64::NEG_INFINITY);
+}
