@@ -36,7 +36,7 @@ mod looks;
 mod sizes;
 
 use crate::error::ModelError;
-use crate::model::{Bounds, Shape};
+use crate::model::Shape;
 use crate::problem::Problem;
 use crate::solver::workspace::resize;
 use sizes::Sizes;
@@ -306,7 +306,7 @@ impl Certifier {
                 certificate.relative_residual = relative;
                 certificate.worst_relative = i;
             }
-            if must_hold(shape.bounds(), i, z[i], f) && self.sizes.of_row[i] == 0.0 {
+            if self.sizes.of_row[i] == 0.0 && above > f && below < f {
                 certificate.vanishing_row.get_or_insert(i);
             }
         }
@@ -316,22 +316,14 @@ impl Certifier {
     /// `|mid((z_i − l_i)/w_i,  F_i/s_i,  (z_i − u_i)/w_i)|` at the point judged last, where `F` and `J` are
     /// finite.
     pub(crate) fn relative_residual(&self, shape: &Shape, z: &[f64], i: usize) -> f64 {
-        let (lower, upper) = (shape.bounds().lower()[i], shape.bounds().upper()[i]);
-        let (w, s, f) = (self.sizes.weight[i], self.sizes.of_row[i], self.f[i]);
-        // A size that has overflowed must not make the residual 0.
-        let f_relative = if f == 0.0 { 0.0 } else { f / s.min(f64::MAX) };
-        middle((z[i] - lower) / w, f_relative, (z[i] - upper) / w).abs()
+        let [above, f, below] = self.sizes.relative(shape.bounds(), i, z[i], self.f[i]);
+        middle(above, f, below).abs()
     }
 }
 
 /// The middle of three numbers with `below <= above`; NaN if any is.
 pub(super) fn middle(above: f64, f: f64, below: f64) -> f64 {
     if f.is_nan() || above.is_nan() || below.is_nan() { f64::NAN } else { above.min(below.max(f)) }
-}
-
-/// Whether `F_i = 0` is asked for: `F_i` is nearer to 0 than `z_i` to the bound on its side.
-fn must_hold(bounds: &Bounds, i: usize, z: f64, f: f64) -> bool {
-    z - bounds.lower()[i] > f && z - bounds.upper()[i] < f
 }
 
 fn all_finite(values: &[f64]) -> bool {

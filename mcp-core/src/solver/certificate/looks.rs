@@ -1,6 +1,6 @@
 //! Second looks of the certificate at a point that might be accepted.
 
-use super::{Certifier, all_finite, must_hold};
+use super::{Certifier, all_finite};
 use crate::problem::Problem;
 
 /// Growth from which rounding in a sum of terms is more than the default of `tol_relative` of its
@@ -23,7 +23,7 @@ impl Certifier {
             for k in pattern.column(j).filter(|&k| self.jac[k] != 0.0) {
                 let i = pattern.row(k);
                 constant[i] -= self.jac[k] * z[j];
-                if must_hold(bounds, i, z[i], self.f[i]) {
+                if self.sizes.must_hold(bounds, i, z[i], self.f[i]) {
                     self.f_beside[i] = 1.0;
                 }
             }
@@ -36,22 +36,18 @@ impl Certifier {
 
     /// Whether an equation that must hold does so only by what `k` adds to its size.
     pub(super) fn leans_on_known(&mut self, problem: &dyn Problem, z: &[f64]) -> bool {
-        let (own, bounds) = (&mut self.beside, problem.shape().bounds());
+        let Certifier { f, jac, sizes, beside: own, .. } = self;
         own.fill(0.0);
-        problem.pattern().add_sizes(&self.jac, |j| z[j].abs(), own);
-        (0..z.len()).any(|i| {
-            let f = self.f[i];
-            must_hold(bounds, i, z[i], f) && f.abs() > BESIDE * own[i]
-        })
+        problem.pattern().add_sizes(jac, |j| z[j].abs(), own);
+        let bounds = problem.shape().bounds();
+        (0..z.len()).any(|i| f[i].abs() > BESIDE * own[i] && sizes.must_hold(bounds, i, z[i], f[i]))
     }
 
     /// Whether all derivatives by a variable between its bounds are zero or subnormal.
     pub(super) fn has_free_variable(&self, problem: &dyn Problem, z: &[f64]) -> bool {
         let (pattern, bounds) = (problem.pattern(), problem.shape().bounds());
-        (0..z.len()).any(|j| {
-            must_hold(bounds, j, z[j], self.f[j])
-                && pattern.column(j).all(|k| self.jac[k].abs() < f64::MIN_POSITIVE)
-        })
+        let is_free = |j| pattern.column(j).all(|k| self.jac[k].abs() < f64::MIN_POSITIVE);
+        (0..z.len()).any(|j| is_free(j) && self.sizes.must_hold(bounds, j, z[j], self.f[j]))
     }
 
     /// Rows are no larger than with the slopes at `z ± 10⁻⁸ w`; a slope that is not finite there on

@@ -1,6 +1,6 @@
 //! What counts as small: the sizes `w_j` of variables and `s_i` of equations.
 
-use crate::model::Shape;
+use crate::model::{Bounds, Shape};
 use crate::problem::Pattern;
 use crate::solver::workspace::resize;
 
@@ -77,6 +77,20 @@ impl Sizes {
             let is_box = width >= f64::MIN_POSITIVE;
             self.weight[j] = if is_box { own.min(width.max(z[j].abs())) } else { own };
         }
+    }
+
+    /// `(z_i − l_i)/w_i`, `F_i/s_i` and `(z_i − u_i)/w_i`.
+    pub(super) fn relative(&self, bounds: &Bounds, i: usize, z: f64, f: f64) -> [f64; 3] {
+        let (w, s) = (self.weight[i], self.of_row[i]);
+        // A size that has overflowed must not make the residual 0.
+        let f = if f == 0.0 { 0.0 } else { f / s.min(f64::MAX) };
+        [(z - bounds.lower()[i]) / w, f, (z - bounds.upper()[i]) / w]
+    }
+
+    /// Whether `F_i = 0` is asked for: `F_i` is nearer to 0 than `z_i` to the bound on its side.
+    pub(super) fn must_hold(&self, bounds: &Bounds, i: usize, z: f64, f: f64) -> bool {
+        let [above, f, below] = self.relative(bounds, i, z, f);
+        above > f && below < f
     }
 
     /// Rows are no larger than with other slopes; `other` is for the sizes with them.

@@ -59,21 +59,17 @@ const BACK: usize = 200;
 const STEPS: usize = 6;
 
 impl Search<'_, '_> {
-    /// What a point the certificate accepts, with relative residual `e`, turns out to be.
-    pub(super) fn look_ahead(&mut self, e: f64) -> Flow<Verdict> {
-        // That of the search knows the last `J` only.
-        let judged = self.run.certificate.map_or(f64::INFINITY, |c| c.relative_residual);
-        let e = e.max(judged);
+    /// What the iterate turns out to be, which the certificate has just accepted.
+    pub(super) fn look_ahead(&mut self) -> Flow<Verdict> {
+        let e = self.judged_residual();
         let limit = GROWN[usize::from(e <= SHARP)];
-        let Search { run, memory } = self;
-        let leans = run.work.certifier.leans();
-        let bounds = run.problem.shape().bounds();
-        memory.view.unscale(&memory.here.z, bounds, &mut memory.model_z);
+        let leans = self.run.work.certifier.leans();
+        let memory = &*self.memory;
         let growth = (0..memory.unit.len()).fold(0.0, |most: f64, j| most.max(memory.growth(j)));
         if self.is_far_from_solved() {
             return Continue(Verdict::Asymptotic);
         }
-        if growth <= limit && e <= self.settled() && !leans || !self.jacobian() {
+        if growth <= limit && e <= self.settled() && !leans {
             return Continue(Verdict::Accepted);
         }
         // In scales of its own, a matrix that is nearly singular is one in all units.
@@ -149,6 +145,16 @@ impl Search<'_, '_> {
             }
         }
         (LOST..SEEN).contains(&share)
+    }
+
+    /// The relative residual with the `J` of the certificate, which is the one at the iterate.
+    fn judged_residual(&mut self) -> f64 {
+        let Search { run, memory } = self;
+        let bounds = run.problem.shape().bounds();
+        memory.view.unscale(&memory.here.z, bounds, &mut memory.model_z);
+        memory.jac.copy_from_slice(run.work.certifier.jac());
+        memory.view.scale_jacobian(run.problem.pattern(), &mut memory.jac);
+        self.relative_residual()
     }
 
     /// Whether the direction changes a variable that has grown by more than `limit`, by more than the share

@@ -107,11 +107,10 @@ impl Search<'_, '_> {
         let mut verdict = self.ask();
         if verdict == Verdict::Accepted {
             verdict = Verdict::Refused;
-            if self.evaluate_here() && self.jacobian() {
-                let e = self.relative_residual();
-                if let Continue(found) = self.look_ahead(e) {
-                    verdict = found;
-                }
+            if self.evaluate_here()
+                && let Continue(found) = self.look_ahead()
+            {
+                verdict = found;
             }
             if verdict == Verdict::Accepted {
                 return Some(Status::Solved);

@@ -98,7 +98,7 @@ impl Search<'_, '_> {
         let polished = if e > ROUNDING { self.tail(e)? } else { e };
         let mut verdict = self.ask();
         if verdict == Verdict::Accepted {
-            verdict = self.look_ahead(polished)?;
+            verdict = self.look_ahead()?;
             if verdict == Verdict::Refused {
                 // In the scales measured there.
                 self.run.certificate = None;
