@@ -9,8 +9,9 @@
 //! ```
 //!
 //! It is taken where an equation holds by what is known of the sizes of its variables and not by their
-//! values, where variables have grown far, and where the matrix is singular. Cost: one `J`, one factorisation,
-//! one or two `F`; several of each near a multiple root and where the matrix is singular.
+//! values, where variables have grown far, and where the residual is more than rounding. Cost: one
+//! factorisation and one or two `F`; several of each and of `J` near a multiple root and where the matrix is
+//! singular.
 
 use super::Search;
 use super::judge::SHARP;
@@ -131,6 +132,7 @@ impl Search<'_, '_> {
         memory.trial.z.copy_from_slice(&memory.model_z);
         for _ in 0..BACK {
             memory.trial.z[j] *= SHORTER;
+            run.problem.shape().bounds().project(&mut memory.trial.z);
             run.stats.jacobian_evaluations += 1;
             let jac = run.work.certifier.spare();
             run.problem.evaluate(&memory.trial.z, None, Some(jac));
@@ -157,8 +159,8 @@ impl Search<'_, '_> {
         self.relative_residual()
     }
 
-    /// Whether the direction changes a variable that has grown by more than `limit`, by more than the share
-    /// `moving`, away from 0.
+    /// Whether the direction changes a variable that has grown by more than `limit` by more than the share
+    /// `moving`.
     fn leads_on(&self, moving: f64, limit: f64) -> bool {
         let memory = &*self.memory;
         let (y, d) = (&memory.here.z, &memory.direction);
