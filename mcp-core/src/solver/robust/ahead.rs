@@ -35,13 +35,13 @@ const FAR: f64 = 1e4;
 const NEAR: f64 = 100.0;
 /// The same where the matrix is singular.
 pub(super) const AT_START: f64 = 1.0;
-/// Share of the tolerance that is left of the residual, in terms near the start, at a solution with a
-/// singular matrix. What contradicts itself by more is none.
+/// Share of the tolerance that is left of the residual at a point beyond doubt, and, in terms near the start, at
+/// a solution with a singular matrix. What contradicts itself by more is none.
 const CONTRADICTION: f64 = 0.01;
 /// Relative Newton step of a point that still moves.
 const MOVING: f64 = 0.1;
-/// What a step towards a root multiplies the residual by, up to multiplicity 10.
-const CONTRACTION: f64 = 0.35;
+/// What a step towards a root multiplies the residual by, up to multiplicity 20.
+const CONTRACTION: f64 = 0.36;
 /// The same that leaves no doubt.
 const QUICK: f64 = 0.05;
 /// Newton steps, relative to the variable, that are short.
@@ -50,12 +50,18 @@ const SHORT: f64 = 1e-4;
 const TINY: f64 = 1e-6;
 /// Length, in Newton steps, over which `G` is looked at where it is rounded.
 const STRIDE: f64 = 16.0;
-/// Share of a variable in its equations that counts as none, and the share on the other side of a kink.
+/// Multiple of what is seen of the rounding that there may be of it; `e^-z` needs 15.
+const ROUNDED: f64 = 8.0;
+/// Scaled derivatives that are small in spite of it.
+const SMALL: f64 = 1e-8;
+/// Share of a variable in its equations that counts as none, and one that cannot come of rounding.
 const LOST: f64 = 1e-20;
-const SEEN: f64 = 1e-2;
-/// On the way back to where a lost variable is seen: what a step multiplies it by, and how many there are.
+const SEEN: f64 = 1e-8;
+/// On the way back to where a lost variable is seen: what a step multiplies it by, how many there are, and how
+/// often the last one is halved.
 const SHORTER: f64 = 0.7;
-const BACK: usize = 200;
+const BACK: usize = 30;
+const BISECTIONS: usize = 12;
 /// Steps that are taken to see.
 const STEPS: usize = 6;
 
@@ -73,28 +79,38 @@ impl Search<'_, '_> {
         if growth <= limit && e <= self.settled() && !leans {
             return Continue(Verdict::Accepted);
         }
+        let judged = self.run.certificate.map_or(f64::INFINITY, |c| c.relative_residual);
+        if judged <= self.settled() && !self.has_grown(2.0) {
+            return Continue(Verdict::Accepted);
+        }
         // In scales of its own, a matrix that is nearly singular is one in all units.
         self.measure_scales();
         if growth > FAR && self.is_free_when_far() {
             return Continue(Verdict::Asymptotic);
         }
         let is_singular = !self.undamped_min_map_direction();
+        let clear = (CONTRADICTION * self.run.options.tol_relative).max(SHARP);
         if is_singular {
-            let limit = (CONTRADICTION * self.run.options.tol_relative).max(SHARP);
             // So is every system with multipliers that are not unique.
             let runs_away = self.memory.asymptotic && growth > GROWN[0];
-            if runs_away || self.has_lost_a_variable() || self.near_residual(AT_START) > limit {
+            if runs_away || self.has_lost_a_variable() || self.near_residual(AT_START) > clear {
                 return Continue(Verdict::Asymptotic);
+            }
+            if self.is_beyond_scales() {
+                // No step can tell.
+                return Continue(Verdict::Accepted);
             }
         } else if self.leads_on(MOVING, limit) {
             return Continue(Verdict::Asymptotic);
-        } else if !leans {
+        } else if !leans && !self.has_grown(GROWN[0]) || judged <= clear && !self.has_grown(2.0) {
             return Continue(Verdict::Accepted);
         }
         if self.settles(is_singular)? {
             // The point may have moved.
             return Continue(self.ask());
         }
+        let Search { run, memory } = self;
+        memory.view.unscale(&memory.here.z, run.problem.shape().bounds(), &mut memory.model_z);
         let is_at_infinity = !is_singular && self.leads_on(SHORT, 1.0);
         Continue(if is_at_infinity { Verdict::Asymptotic } else { Verdict::Refused })
     }
@@ -104,49 +120,96 @@ impl Search<'_, '_> {
         (SETTLED * self.run.options.tol_relative).max(ROUNDING)
     }
 
-    /// Whether variables that have grown far could as well have grown half as far.
+    /// Whether variables that have grown far could as well have grown half as far, by terms near the start.
     fn is_free_when_far(&mut self) -> bool {
-        self.relative_residual();
-        let memory = &mut *self.memory;
-        memory.trial.z.copy_from_slice(&memory.here.z);
+        self.near_residual(NEAR);
+        let Search { run, memory } = self;
+        memory.slope.copy_from_slice(&memory.model_z);
         for j in 0..memory.unit.len() {
             if memory.growth(j) > FAR {
-                memory.trial.z[j] *= 0.5;
+                memory.slope[j] *= 0.5;
             }
         }
-        memory.view.project(&mut memory.trial.z);
-        !self.evaluate_trial().is_nan() && self.trial_residual() <= self.run.options.tol_relative
+        run.problem.shape().bounds().project(&mut memory.slope);
+        run.stats.residual_evaluations += 1;
+        run.problem.evaluate(&memory.slope, Some(&mut memory.zeta), None);
+        let bounds = run.problem.shape().bounds();
+        let sides = (bounds.lower(), bounds.upper());
+        memory.largest_residual(&memory.slope, &memory.zeta, sides) <= run.options.tol_relative
     }
 
-    /// Whether a variable has left all equations smoothly on its way, as `z` leaves `v = e^-z`, and not at a kink,
-    /// as it leaves `v = max(0, 1 − z)`: on the way back its derivatives are small when they come into sight.
+    /// Whether a variable has grown and left all equations smoothly on its way, as `z` leaves `v = e^-z`, and not
+    /// at a kink, as it leaves `v = max(0, 1 − z)`: on the way back its derivatives come into sight by degrees.
     fn has_lost_a_variable(&mut self) -> bool {
-        let Search { run, memory } = self;
-        let pattern = run.problem.pattern();
-        let is_between = |j: usize| memory.view.natural(&memory.here, j).1 == Branch::Equation;
-        let has_gone = |j: usize| pattern.column(j).all(|k| memory.jac[k].abs() < LOST);
-        let Some(j) = (0..memory.unit.len()).find(|&j| is_between(j) && has_gone(j)) else {
+        let memory = &*self.memory;
+        let has_grown = |j: usize| memory.model_z[j].abs() > memory.own(j);
+        let mut all = 0..memory.unit.len();
+        let Some(j) = all.find(|&j| has_grown(j) && self.is_in_no_equation(j)) else {
             return false;
         };
-        let mut share = 0.0_f64;
-        memory.trial.z.copy_from_slice(&memory.model_z);
+        let (mut far, mut near) = (self.memory.model_z[j], self.memory.model_z[j]);
         for _ in 0..BACK {
-            memory.trial.z[j] *= SHORTER;
-            run.problem.shape().bounds().project(&mut memory.trial.z);
-            run.stats.jacobian_evaluations += 1;
-            let jac = run.work.certifier.spare();
-            run.problem.evaluate(&memory.trial.z, None, Some(jac));
-            let (jac, size) = (run.work.certifier.jac(), run.work.certifier.row_size());
-            let pattern = run.problem.pattern();
-            share = pattern.column(j).fold(0.0, |most, k| {
-                let term = (jac[k] * memory.trial.z[j]).abs();
-                most.max(term / size[pattern.row(k)])
-            });
-            if share >= LOST {
+            (far, near) = (near, SHORTER * near);
+            if self.share(j, near) >= LOST {
                 break;
             }
         }
-        (LOST..SEEN).contains(&share)
+        for _ in 0..BISECTIONS {
+            let between = 0.5 * (far + near);
+            match self.share(j, between) {
+                share if share < LOST => far = between,
+                share if share < SEEN => return true,
+                _ => near = between,
+            }
+        }
+        false
+    }
+
+    /// Whether an equation that is taken to hold, or its variable, has derivatives so small that no scale has made
+    /// them what others are.
+    fn is_beyond_scales(&mut self) -> bool {
+        let pattern = self.run.problem.pattern();
+        let memory = &mut *self.memory;
+        memory.slope.fill(0.0);
+        memory.zeta.fill(0.0);
+        for (k, i, j) in pattern.entries() {
+            let size = memory.jac[k].abs();
+            memory.slope[i] = memory.slope[i].max(size);
+            memory.zeta[j] = memory.zeta[j].max(size);
+        }
+        (0..memory.unit.len()).any(|i| {
+            memory.slope[i].min(memory.zeta[i]) < SMALL
+                && memory.view.natural(&memory.here, i).1 == Branch::Equation
+        })
+    }
+
+    /// Whether a variable between its bounds has scaled derivatives that count as none.
+    fn is_in_no_equation(&self, j: usize) -> bool {
+        let memory = &*self.memory;
+        let mut column = self.run.problem.pattern().column(j);
+        memory.view.natural(&memory.here, j).1 == Branch::Equation
+            && column.all(|k| memory.jac[k].abs() < LOST)
+    }
+
+    /// Whether a variable is more than `times` what it was at the start.
+    fn has_grown(&self, times: f64) -> bool {
+        let memory = &*self.memory;
+        (0..memory.unit.len()).any(|j| memory.model_z[j].abs() > times * memory.own(j))
+    }
+
+    /// The largest share of `z_j`, where it is `z`, in the terms of an equation.
+    fn share(&mut self, j: usize, z: f64) -> f64 {
+        let Search { run, memory } = self;
+        memory.slope.copy_from_slice(&memory.model_z);
+        memory.slope[j] = z;
+        run.problem.shape().bounds().project(&mut memory.slope);
+        run.stats.jacobian_evaluations += 1;
+        run.problem.evaluate(&memory.slope, None, Some(run.work.certifier.spare()));
+        let (jac, size) = (run.work.certifier.jac(), run.work.certifier.row_size());
+        let pattern = run.problem.pattern();
+        pattern
+            .column(j)
+            .fold(0.0, |most: f64, k| most.max((jac[k] * z).abs() / size[pattern.row(k)]))
     }
 
     /// The relative residual with the `J` of the certificate, which is the one at the iterate.
@@ -215,11 +278,18 @@ impl Search<'_, '_> {
         Continue(true)
     }
 
-    /// Whether the direction changes no variable by more than a little of it.
+    /// Whether the direction changes no variable by more than a little of it, or the rounding of its start.
     fn is_short(&self) -> bool {
+        self.is_within(SHORT, 64.0 * f64::EPSILON)
+    }
+
+    /// Whether the direction changes every variable by at most the share `of_level` of it or `of_start` of its
+    /// size at the start.
+    fn is_within(&self, of_level: f64, of_start: f64) -> bool {
         let memory = &*self.memory;
-        let parts = memory.direction.iter().zip(&memory.here.z);
-        parts.into_iter().all(|(d, y)| d.abs() <= SHORT * y.abs())
+        let (y, units) = (&memory.here.z, memory.view.units());
+        let most = |j: usize| (of_level * y[j].abs()).max(of_start * memory.own(j) / units[j]);
+        (0..y.len()).all(|j| memory.direction[j].abs() <= most(j))
     }
 
     /// `e` at the end of the direction, in the sizes of the iterate; the trial point stays there.
@@ -247,8 +317,7 @@ impl Search<'_, '_> {
                 surprise.max((value - memory.rhs[i] - memory.slope[i]).abs() / memory.size[i]);
             left = left.max(value.abs() / memory.size[i]);
         }
-        let is_tiny = |j: usize| memory.direction[j].abs() <= TINY * memory.weight[j];
-        surprise > 0.1 * left && (0..memory.weight.len()).all(is_tiny)
+        surprise > 0.1 * left && self.is_within(TINY, TINY)
     }
 
     /// Whether `G(y + 16 d) = −15 G(y)`, but for what is left of it at `y + d`, the trial point, and rounding.
@@ -258,16 +327,23 @@ impl Search<'_, '_> {
         if self.evaluate(STRIDE).is_nan() {
             return false;
         }
+        // A short step may be due to the rounding of terms as large as at the start.
+        let is_tiny = self.is_within(TINY, TINY);
         let Search { run, memory } = self;
-        memory.size.fill(0.0);
-        let y = &memory.here.z;
-        run.problem.pattern().add_sizes(&memory.jac, |j| y[j].abs(), &mut memory.size);
-        (0..y.len()).all(|i| {
+        let mut size = std::mem::take(&mut memory.zeta);
+        size.fill(0.0);
+        let (y, units) = (&memory.here.z, memory.view.units());
+        let own = |j: usize| if is_tiny { memory.own(j) / units[j] } else { 0.0 };
+        let level = |j: usize| y[j].abs().max(own(j));
+        run.problem.pattern().add_sizes(&memory.jac, level, &mut size);
+        let is_straight = (0..y.len()).all(|i| {
             let (g, ahead, far) = (memory.here.f[i], memory.slope[i], memory.trial.f[i]);
-            let rounding = g.abs().max(ahead.abs()) + f64::EPSILON * memory.size[i];
+            let rounding = g.abs().max(ahead.abs()) + f64::EPSILON * size[i];
             let is_bound = memory.view.natural(&memory.here, i).1 != Branch::Equation;
-            is_bound || (far - (1.0 - STRIDE) * g).abs() <= 4.0 * rounding
-        })
+            is_bound || (far - (1.0 - STRIDE) * g).abs() <= ROUNDED * rounding
+        });
+        memory.zeta = size;
+        is_straight
     }
 }
 

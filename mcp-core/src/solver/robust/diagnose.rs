@@ -11,8 +11,11 @@ use crate::solver::stage::{Stage, StageEnd, StageRecord};
 use crate::solver::status::Status;
 use std::ops::ControlFlow::Continue;
 
-/// Relative residual of a point that is clearly no solution.
+/// Relative residuals of a point that is clearly no solution, and of one that may be.
 const CLEARLY: f64 = 1e-2;
+const NEARLY: f64 = 1e-6;
+/// Share of a start that counts as the size of a variable.
+const FLOOR: f64 = 1.0 / 8192.0;
 /// `‖H v‖∞` of a null vector `v` with largest entry 1, relative to `√(‖H‖₁ ‖H‖∞)`.
 const NULL: f64 = 1e-9;
 
@@ -52,6 +55,7 @@ impl Search<'_, '_> {
             return Status::Diverged;
         }
         if gradient > STATIONARY
+            && self.memory.best_residual > CLEARLY
             && end == Some(StageEnd::NoStep)
             && self.is_stationary_where_stuck()
         {
@@ -63,7 +67,7 @@ impl Search<'_, '_> {
     }
 
     /// Whether Newton alone got stuck at a stationary point, which then counts as the best: where the gradient
-    /// vanishes, or, far from a solution, where no step along it reduces the merit.
+    /// vanishes.
     fn is_stationary_where_stuck(&mut self) -> bool {
         self.memory.go_to_stuck();
         if !(self.evaluate_here() && self.jacobian()) {
@@ -71,13 +75,12 @@ impl Search<'_, '_> {
         }
         self.memory.linearise(self.run.problem.pattern());
         let gradient = self.relative_gradient();
-        let is_stationary = gradient <= STATIONARY || self.relative_residual() > CLEARLY;
-        if is_stationary {
+        if gradient <= STATIONARY {
             let worst = self.worst_equations();
             self.run.work.diagnosis = Some(Diagnosis::Stationary { worst, gradient });
             self.memory.answer_stuck();
         }
-        is_stationary
+        gradient <= STATIONARY
     }
 
     /// The best point seen becomes the answer, whatever ended the solve.
@@ -124,7 +127,10 @@ impl Search<'_, '_> {
             return Some(self.at_infinity());
         }
         let is_small = certificate.relative_residual <= run.options.tol_relative;
-        if is_small && let Some((equation, value, z)) = run.work.certifier.infinite_on_bounds() {
+        if is_small
+            && !certificate.is_finite
+            && let Some((equation, value, z)) = run.work.certifier.infinite_on_bounds()
+        {
             run.fault = Some(Fault { equation, variable: None, value });
             run.work.fault_point.copy_from_slice(z);
             run.work.diagnosis = None;
@@ -137,12 +143,15 @@ impl Search<'_, '_> {
     fn is_solved_but_for_growth(&mut self) -> bool {
         self.near_residual(AT_START) <= self.run.options.tol_relative
             && (0..self.memory.unit.len()).any(|j| self.memory.growth(j) > 1.0)
+            && self.relative_residual() > NEARLY
     }
 
     /// Solved at infinity, with the variables that grow.
     fn at_infinity(&mut self) -> Status {
         let Search { run, memory } = self;
-        let way = memory.best.iter().zip(&memory.start).map(|(best, start)| best - start);
+        let grown =
+            |best: f64, start: f64| if best.abs() > start.abs() { best - start } else { 0.0 };
+        let way = memory.best.iter().zip(&memory.start).map(|(best, start)| grown(*best, *start));
         let growing = largest_entries(&way.collect::<Vec<_>>());
         run.work.diagnosis = Some(Diagnosis::Diverged { growing });
         Status::SolvedAsymptotically
@@ -165,8 +174,8 @@ impl Search<'_, '_> {
         memory.view.scale(&memory.best, &mut memory.here.z);
     }
 
-    /// `‖∇θ‖∞` over the box, relative to the terms it is summed from, or the share of `2θ` that a variable's own
-    /// size or unit changes, whichever is less.
+    /// `‖∇θ‖∞` over the box, relative to the terms it is summed from, or the share of `2θ` that a change of a
+    /// variable by itself, or by `2⁻¹³` of its start, makes, whichever is less.
     fn relative_gradient(&self) -> f64 {
         let memory = &*self.memory;
         let pattern = self.run.problem.pattern();
@@ -189,7 +198,8 @@ impl Search<'_, '_> {
                 y <= memory.view.lower[j] && g > 0.0 || y >= memory.view.upper[j] && g < 0.0;
             if !is_blocked {
                 largest = largest.max(g.abs());
-                change = change.max(g.abs() * y.abs().max(memory.own(j) / memory.view.units()[j]));
+                let own = FLOOR * memory.own(j) / memory.view.units()[j];
+                change = change.max(g.abs() * y.abs().max(own));
             }
             terms = terms.max(sum);
         }

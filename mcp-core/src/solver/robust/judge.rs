@@ -5,7 +5,7 @@ use super::equilibrate::{exponent, power_of_two};
 use super::memory::Memory;
 use crate::solver::certificate::Verdict;
 use crate::solver::run::Flow;
-use crate::solver::stage::StageEnd;
+use crate::solver::stage::{Stage, StageEnd};
 use crate::solver::status::Status;
 use crate::solver::workspace::Point;
 use std::ops::ControlFlow::{Break, Continue};
@@ -100,9 +100,11 @@ impl Search<'_, '_> {
         if verdict == Verdict::Accepted {
             verdict = self.look_ahead()?;
             if verdict == Verdict::Refused {
-                // In the scales measured there.
+                // Newton goes on in the scales measured there.
                 self.run.certificate = None;
-                self.memory.leave = Some(StageEnd::Drifted);
+                let is_crash = self.run.stage == Stage::Crash;
+                let end = if is_crash { StageEnd::Stalled } else { StageEnd::Drifted };
+                self.memory.leave = Some(end);
                 return Continue(());
             }
         }
