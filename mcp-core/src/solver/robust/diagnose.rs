@@ -1,10 +1,10 @@
 //! Why the cascade failed: told at the best point.
 
 use super::Search;
-use super::ahead::AT_START;
+use super::far::AT_START;
 use super::map::Map;
 use super::memory::Memory;
-use crate::solver::certificate::Verdict;
+use crate::solver::certificate::{Certificate, Verdict};
 use crate::solver::diagnosis::{Diagnosis, SHOWN, STATIONARY, entries_by_size, largest_entries};
 use crate::solver::run::Fault;
 use crate::solver::stage::{Stage, StageEnd, StageRecord};
@@ -89,6 +89,10 @@ impl Search<'_, '_> {
             return status;
         }
         if self.memory.best_residual < f64::INFINITY {
+            if status == Status::Interrupted {
+                self.answer_best();
+                return status;
+            }
             if let Some(status) = self.look_at_best() {
                 return status;
             }
@@ -119,13 +123,11 @@ impl Search<'_, '_> {
                 return Some(Status::Solved);
             }
         }
-        let Search { run, memory } = self;
-        run.work.current.z.copy_from_slice(&memory.best);
-        memory.model_z.copy_from_slice(&memory.best);
-        let certificate = run.certify();
+        let certificate = self.answer_best();
         if verdict == Verdict::Asymptotic {
             return Some(self.at_infinity());
         }
+        let run = &mut *self.run;
         let is_small = certificate.relative_residual <= run.options.tol_relative;
         if is_small
             && !certificate.is_finite
@@ -137,6 +139,14 @@ impl Search<'_, '_> {
             return Some(Status::DomainError);
         }
         None
+    }
+
+    /// The best point becomes the answer; its certificate.
+    fn answer_best(&mut self) -> Certificate {
+        let Search { run, memory } = self;
+        run.work.current.z.copy_from_slice(&memory.best);
+        memory.model_z.copy_from_slice(&memory.best);
+        run.certify()
     }
 
     /// Whether a variable has grown, and the residuals of the iterate are small in terms near the start.

@@ -40,6 +40,7 @@ mod crash;
 mod diagnose;
 mod direction;
 mod equilibrate;
+mod far;
 mod josephy;
 mod judge;
 mod leap;
