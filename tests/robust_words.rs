@@ -3,7 +3,7 @@
 mod common;
 
 use common::{FREE, NONNEGATIVE, dense, solve};
-use mcp_core::{Diagnosis, Options, Solution, Status};
+use mcp_core::{Diagnosis, Method, Options, Solution, Status};
 
 /// One equation `f(z) ⟂ z` of which `f` and its derivative are given.
 fn one(bounds: (f64, f64), start: f64, f: impl Fn(f64) -> (f64, f64)) -> Solution {
@@ -60,4 +60,18 @@ fn a_root_beside_an_infinity_on_the_bound_is_a_domain_error_that_names_the_bound
     let fault = solution.fault.expect("a domain error has one");
     assert_eq!((fault.equation, fault.z[0]), (0, 0.0));
     assert_eq!(fault.value, f64::NEG_INFINITY);
+}
+
+#[test]
+fn an_answer_is_finite_where_steps_overflow() {
+    // e^z + c from where e^z is hardly more than nothing: Newton's step is beyond all numbers.
+    for (start, c) in [(-709.567_160_214_712_4, 20.157_950_370_019_964), (-6.9, 0.7)] {
+        let mut problem = dense(&[FREE], &[start], move |z, f, jac| {
+            (f[0], jac[0]) = (z[0].exp() + c, z[0].exp());
+        });
+        for method in Method::ALL {
+            let solution = solve(&mut problem, &Options::new(method));
+            assert!(!solution.is_solved() && solution.z[0].is_finite(), "{method}: {solution:?}");
+        }
+    }
 }

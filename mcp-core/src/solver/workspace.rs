@@ -36,9 +36,13 @@ impl Point {
         self.merit = other.merit;
     }
 
-    /// `F`, `Φ` and `θ` at `z`.
+    /// `F`, `Φ` and `θ` at `z`, NaN where a step has overflowed.
     pub(super) fn evaluate(&mut self, problem: &mut dyn Problem, kinds: &[BoundKind]) {
-        problem.evaluate(&self.z, Some(&mut self.f), None);
+        if self.z.iter().all(|z| z.is_finite()) {
+            problem.evaluate(&self.z, Some(&mut self.f), None);
+        } else {
+            self.f.fill(f64::NAN);
+        }
         self.weigh(problem.shape().bounds(), kinds);
     }
 

@@ -128,11 +128,17 @@ impl View {
         }
     }
 
-    /// `G`, without merit, at `point.z`; its argument stays in [`argument`](Self::argument).
+    /// `G`, without merit, at `point.z`, NaN where that has overflowed; its argument stays in
+    /// [`argument`](Self::argument).
     pub(in crate::solver) fn residual(&mut self, problem: &mut dyn Problem, point: &mut Point) {
         self.set_argument(problem, &point.z);
-        problem.evaluate(&self.z, Some(&mut point.f), None);
-        self.scale_residual(&mut point.f);
+        if self.z.iter().all(|z| z.is_finite()) {
+            problem.evaluate(&self.z, Some(&mut point.f), None);
+            self.scale_residual(&mut point.f);
+        } else {
+            // `e^z` would be finite at −∞.
+            point.f.fill(f64::NAN);
+        }
     }
 
     /// `R J C` at `y`.
