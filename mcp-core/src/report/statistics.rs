@@ -91,7 +91,15 @@ impl Statistics {
         let (lower, upper) = (bounds.lower(), bounds.upper());
         let minimum: Vec<f64> = (0..n).map(|i| mid(z[i], f[i], lower[i], upper[i]).0).collect();
         let rows: Vec<Reformulation> = (0..n).map(|i| Reformulation::new(bounds, i)).collect();
-        let phi: Vec<f64> = (0..n).map(|i| rows[i].value(z[i], f[i])).collect();
+        // Where finite numbers make none, φ of φ has overflowed.
+        let or_infinite = |value: f64, i: usize| {
+            if value.is_nan() && f[i].is_finite() && z[i].is_finite() {
+                f64::INFINITY
+            } else {
+                value
+            }
+        };
+        let phi: Vec<f64> = (0..n).map(|i| or_infinite(rows[i].value(z[i], f[i]), i)).collect();
         let (da, db): (Vec<f64>, Vec<f64>) = (0..n).map(|i| rows[i].derivative(z[i], f[i])).unzip();
         let gradient = |j: usize| {
             let column = pattern.column(j);
@@ -100,7 +108,7 @@ impl Statistics {
                 // Equations of fixed variables are not part of the merit, whatever J holds.
                 if db[i] == 0.0 { 0.0 } else { jac[k] * db[i] * phi[i] }
             });
-            da[j] * phi[j] + terms.sum::<f64>()
+            or_infinite(da[j] * phi[j] + terms.sum::<f64>(), j)
         };
         let equation = |i| shape.equation_name(i);
         let is_free = |i: usize| bounds.kind(i) == BoundKind::Free;
