@@ -40,8 +40,10 @@ const CONTRACTION: f64 = 0.36;
 const QUICK: f64 = 0.05;
 /// Newton steps, relative to the variable, that are short.
 const SHORT: f64 = 1e-4;
-/// Steps, relative to the variable or the gauge, over which `G` is linear.
+/// Steps, relative to the variable or its start, over which `G` is linear.
 const TINY: f64 = 1e-6;
+/// Share of what is left after a tiny step that its linearisation must not explain where `G` is rounded.
+const SURPRISE: f64 = 0.1;
 /// Length, in Newton steps, over which `G` is looked at where it is rounded.
 const STRIDE: f64 = 16.0;
 /// Multiple of what is seen of the rounding that there may be of it; `e^-z` needs 15.
@@ -75,7 +77,7 @@ impl Search<'_, '_> {
         let is_singular = !self.undamped_min_map_direction();
         let clear = (CONTRADICTION * self.run.options.tol_relative).max(SHARP);
         if is_singular {
-            // So is every system with multipliers that are not unique.
+            // Singular is also every system with multipliers that are not unique.
             let runs_away = self.memory.asymptotic && growth > GROWN[0];
             if runs_away || self.has_lost_a_variable() || self.near_residual(AT_START) > clear {
                 return Continue(Verdict::Asymptotic);
@@ -209,7 +211,7 @@ impl Search<'_, '_> {
                 surprise.max((value - memory.rhs[i] - memory.slope[i]).abs() / memory.size[i]);
             left = left.max(value.abs() / memory.size[i]);
         }
-        surprise > 0.1 * left && self.is_within(TINY, TINY)
+        surprise > SURPRISE * left && self.is_within(TINY, TINY)
     }
 
     /// Whether `G(y + 16 d) = −15 G(y)`, but for what is left of it at `y + d`, the trial point, and rounding.

@@ -1,7 +1,9 @@
 //! Why the cascade failed: told at the best point.
 
 use super::Search;
+use super::equilibrate::power_of_two;
 use super::far::AT_START;
+use super::judge::FLOOR;
 use super::map::Map;
 use super::memory::Memory;
 use crate::solver::certificate::{Certificate, Verdict};
@@ -14,8 +16,6 @@ use std::ops::ControlFlow::Continue;
 /// Relative residuals of a point that is clearly no solution, and of one that may be.
 const CLEARLY: f64 = 1e-2;
 const NEARLY: f64 = 1e-6;
-/// Share of a start that counts as the size of a variable.
-const FLOOR: f64 = 1.0 / 8192.0;
 /// `‖H v‖∞` of a null vector `v` with largest entry 1, relative to `√(‖H‖₁ ‖H‖∞)`.
 const NULL: f64 = 1e-9;
 
@@ -208,7 +208,7 @@ impl Search<'_, '_> {
                 y <= memory.view.lower[j] && g > 0.0 || y >= memory.view.upper[j] && g < 0.0;
             if !is_blocked {
                 largest = largest.max(g.abs());
-                let own = FLOOR * memory.own(j) / memory.view.units()[j];
+                let own = power_of_two(-FLOOR) * memory.own(j) / memory.view.units()[j];
                 change = change.max(g.abs() * y.abs().max(own));
             }
             terms = terms.max(sum);

@@ -19,7 +19,7 @@ pub(super) const SHARP: f64 = 1e-13;
 /// Growth beyond which a stage is left.
 const DIVERGED: f64 = 1e12;
 /// How far below its start a variable may fall before its start counts: `2⁻¹³`.
-const FLOOR: i32 = 13;
+pub(super) const FLOOR: i32 = 13;
 
 impl Search<'_, '_> {
     /// Keeps the iterate if it is the best; if it is nearly a solution, polishes it and ends the
