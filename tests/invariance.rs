@@ -2,13 +2,16 @@
 //! units, and what does change: the iterates of the three classical methods.
 
 mod common;
+#[path = "hard/random.rs"]
+mod random;
 
-use common::{FREE, NONNEGATIVE, affine, dense, siconos, solve, solve_from, watch};
+use common::{FREE, INF, NONNEGATIVE, affine, dense, siconos, solve, solve_from, watch};
 use mcp_core::testing::{self, collection};
 use mcp_core::{
     AdProblem, Criterion, Engine, Method, Options, Pattern, Problem, Shape, Stage, StageRecord,
     Status, examine,
 };
+use random::Random;
 use std::sync::Arc;
 
 fn bits(values: &[f64]) -> Vec<u64> {
@@ -204,6 +207,48 @@ fn the_stages_after_the_crash_take_the_same_path_in_all_binary_units() {
     for stage in [Stage::Leap, Stage::Sized, Stage::Josephy, Stage::Smoothing, Stage::Proximal] {
         assert!(stages.contains(&stage), "{stage} was not reached");
     }
+}
+
+/// `F_i = a + b z_i + c z_j² z_k + d sin(z_j)`, most without a solution that is easy to find, and each row
+/// and variable in a unit of its own.
+#[test]
+fn the_path_is_the_same_in_all_binary_units_of_random_problems() {
+    let mut random = Random(5);
+    let mut failed = 0;
+    for case in 0..3000 {
+        let n = 1 + random.below(3);
+        let rows: Vec<_> = (0..n)
+            .map(|_| {
+                let [a, b, c, d] = [(); 4].map(|()| 3.0 * random.unit());
+                let d = if random.once_in(2) { 0.0 } else { d };
+                ([a, b, c, d], random.below(n), random.below(n))
+            })
+            .collect();
+        let bounds: Vec<_> = (0..n)
+            .map(|_| [NONNEGATIVE, FREE, (-1.0, 2.0), (-INF, 0.5)][random.below(4)])
+            .collect();
+        // A start of 0, where `F` may be 0 too, says nothing about units.
+        let start: Vec<f64> =
+            bounds.iter().map(|b| if b.1 < 1.0 { -1.0 } else { 1.0 + random.unit() }).collect();
+        let mut problem = dense(&bounds, &start, |z, f, jac| {
+            jac.fill(0.0);
+            for (i, &([a, b, c, d], j, k)) in rows.iter().enumerate() {
+                f[i] = a + b * z[i] + c * z[j] * z[j] * z[k] + d * z[j].sin();
+                jac[i + n * i] += b;
+                jac[i + n * j] += 2.0 * c * z[j] * z[k] + d * z[j].cos();
+                jac[i + n * k] += c * z[j] * z[j];
+            }
+        });
+        let mut units = || (0..n).map(|_| 2_f64.powi(random.exponent(20))).collect::<Vec<_>>();
+        let (rows, columns, ones) = (units(), units(), vec![1.0; n]);
+        let own = path_in_units(&mut problem, &start, [&ones, &ones]);
+        for units in [[&rows, &ones], [&ones, &columns], [&rows, &columns]] {
+            let other = path_in_units(&mut problem, &start, units.map(Vec::as_slice));
+            assert_eq!(other, own, "case {case} from {start:?} with {units:?}");
+        }
+        failed += usize::from(own.2.iter().any(|record| record.stage == Stage::Backtracking));
+    }
+    assert!((300..1000).contains(&failed), "{failed} went through all stages");
 }
 
 /// A known limit, stated in the documentation: the merit adds squares of rows in different units.

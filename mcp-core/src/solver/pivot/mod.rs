@@ -81,6 +81,7 @@ impl Memory {
         let work = &mut *run.work;
         let (z, f) = (&work.current.z[..], &work.current.f[..]);
         let sample = Sample { z, f, jac: &work.jac, start: z, sizes: Sizes::AsOneEntry };
+        self.view.unscaled(shape.bounds());
         self.view.measure(shape, pattern, sample);
         self.view.scale(&work.current.z, &mut self.y);
         self.q.copy_from_slice(&work.current.f);

@@ -25,7 +25,8 @@
 //!    scales rows and columns and the scaled `J` is symmetric.
 //! 4. `(r − g, c + g)` gives the same matrix for every `g`: in every block of connected rows and
 //!    columns `g` is the mean exponent of the known `z_j` or of `F` there, the larger one, in the
-//!    scales found; of the finite bounds, if both vanish; of any `z_j`, where there are none.
+//!    scales found; of the finite bounds, if both vanish; of any `z_j`, where there are none. What the
+//!    point says nothing about keeps the scales it had.
 //!
 //! Rows and columns of fixed variables take no part; they get scales that bring their largest entry
 //! near 1. Cost: one sweep over the nonzeros for each step of step 2, at most [`SWEEPS`].
@@ -86,9 +87,12 @@ pub(super) struct Equilibration {
     /// Potential of the row of the start, and minus that of the column of `F`.
     anchors: [i32; 2],
     /// By root of a block: half the difference of fractions of the first pair; sums and numbers of
-    /// exponents of the known `z`, of `F`, of the bounds and of all `z`.
+    /// exponents of the known `z`, of `F`, of the bounds, of all `z`, and of the old scales in the new.
     shift: Vec<Option<f64>>,
-    gauge: Vec<[(i64, i64); 4]>,
+    gauge: Vec<[(i64, i64); 5]>,
+    /// The scales before.
+    old_r: Vec<i32>,
+    old_c: Vec<i32>,
     /// The result: `F_i 2^{r_i}` and `z_j = y_j 2^{c_j}`.
     pub(super) r: Vec<i32>,
     pub(super) c: Vec<i32>,
@@ -109,10 +113,11 @@ impl Equilibration {
             list.resize(2 * n + 2, 0.0);
         }
         self.shift.resize(2 * n + 2, None);
-        self.gauge.resize(2 * n + 2, [(0, 0); 4]);
+        self.gauge.resize(2 * n + 2, [(0, 0); 5]);
         self.known.resize(n, false);
-        self.r.resize(n, 0);
-        self.c.resize(n, 0);
+        for list in [&mut self.r, &mut self.c, &mut self.old_r, &mut self.old_c] {
+            list.resize(n, 0);
+        }
     }
 
     /// No scaling.
@@ -123,6 +128,8 @@ impl Equilibration {
 
     /// The scales of a point where `F` and `J` are finite.
     pub(super) fn measure(&mut self, pattern: &Pattern, bounds: &Bounds, sample: Sample<'_>) {
+        self.old_r.copy_from_slice(&self.r);
+        self.old_c.copy_from_slice(&self.c);
         let mut known = std::mem::take(&mut self.known);
         sample.mark_known(pattern, bounds, &mut self.r, &mut known);
         let at = Measured { pattern, bounds, sample, known: &known };
@@ -295,24 +302,29 @@ impl Equilibration {
     /// Step 4.
     fn set_gauge(&mut self, at: Measured<'_>) {
         let n = self.n;
-        self.gauge.fill([(0, 0); 4]);
+        self.gauge.fill([(0, 0); 5]);
         for j in (0..n).filter(|&j| !at.is_fixed(j)) {
             let (row, column) = (self.find(j).0, self.find(n + j).0);
-            let c = self.c[j];
-            let mut add = |root: usize, kind: usize, x: f64, scale: i32| {
-                if x != 0.0 && x.is_finite() {
-                    let (sum, count) = &mut self.gauge[root][kind];
-                    *sum += i64::from(exponent(x) + scale);
-                    *count += 1;
-                }
+            let (r, c) = (self.r[j], self.c[j]);
+            let mut add = |root: usize, kind: usize, exponent: i32| {
+                let (sum, count) = &mut self.gauge[root][kind];
+                *sum += i64::from(exponent);
+                *count += 1;
             };
-            if at.known[j] {
-                add(column, 0, at.sample.z[j], -c);
+            let numbers = [
+                (column, 0, if at.known[j] { at.sample.z[j] } else { 0.0 }, -c),
+                (row, 1, at.sample.f[j], r),
+                (column, 2, at.bounds.lower()[j], -c),
+                (column, 2, at.bounds.upper()[j], -c),
+                (column, 3, at.sample.z[j], -c),
+            ];
+            for (root, kind, x, scale) in numbers {
+                if x != 0.0 && x.is_finite() {
+                    add(root, kind, exponent(x) + scale);
+                }
             }
-            add(row, 1, at.sample.f[j], self.r[j]);
-            add(column, 2, at.bounds.lower()[j], -c);
-            add(column, 2, at.bounds.upper()[j], -c);
-            add(column, 3, at.sample.z[j], -c);
+            add(row, 4, r - self.old_r[j]);
+            add(column, 4, self.old_c[j] - c);
         }
         for j in 0..n {
             let (row, column) = (self.find(j).0, self.find(n + j).0);
@@ -356,11 +368,11 @@ fn rounded(x: f64) -> i32 {
 }
 
 /// The larger mean of the exponents of the known `z` and of `F`, else that of the bounds, else of any
-/// `z`, else 0. Rounded downwards, so that it moves with its terms.
-fn gauge(sums: &[(i64, i64); 4]) -> i32 {
+/// `z`, else what keeps the old scales. Rounded downwards, so that it moves with its terms.
+fn gauge(sums: &[(i64, i64); 5]) -> i32 {
     let mean = |(sum, count): (i64, i64)| (count > 0).then(|| sum.div_euclid(count));
-    let [known, f, bounds, z] = sums.map(mean);
-    let gauge = known.max(f).or(bounds).or(z).unwrap_or(0);
+    let [known, f, bounds, z, old] = sums.map(mean);
+    let gauge = known.max(f).or(bounds).or(z).or(old).unwrap_or(0);
     i32::try_from(gauge).expect("a mean of exponents is one")
 }
 

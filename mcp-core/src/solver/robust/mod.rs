@@ -26,10 +26,11 @@
 //!
 //! No stage depends on units: iterates are the same, bit for bit, when equations or variables are
 //! multiplied by powers of two, as long as nothing over- or underflows, no scale is beyond `2^±100`, no
-//! absolute tolerance is set, every equation has a derivative and every variable one that is not 0 where scales
-//! are measured, and the start need not be moved inside its box, where there is no scale yet. A stage ends the
-//! solve only at a point the [`Certificate`](crate::Certificate) accepts. Whatever happens, the best point seen
-//! is the answer, or the one where Newton alone got stuck, if it shows more.
+//! absolute tolerance is set, and the start has sizes. It has none where variables that start at 0, with no
+//! other finite bound than 0, are in equations that are 0 there too, or in none; and where it has to be
+//! moved inside its box. A stage ends the solve only at a point the [`Certificate`](crate::Certificate)
+//! accepts. Whatever happens, the best point seen is the answer, or the one where Newton alone got stuck, if it
+//! shows more.
 //!
 //! Cost of a step: one `J`, one factorisation, one `F` for each trial point. Limits are counts
 //! ([`Robust`]), so every run takes the same path.
