@@ -15,7 +15,7 @@
 
 use super::Search;
 use super::far::{AT_START, FAR};
-use super::judge::SHARP;
+use super::judge::{DIVERGED, SHARP};
 use crate::ncp::Branch;
 use crate::solver::certificate::Verdict;
 use crate::solver::monitor::Direction;
@@ -48,6 +48,8 @@ const SURPRISE: f64 = 0.1;
 const STRIDE: f64 = 16.0;
 /// Multiple of what is seen of the rounding that there may be of it; `e^-z` needs 15.
 const ROUNDED: f64 = 8.0;
+/// Share of its mean that the last of several steps has towards a root of multiplicity 12.
+const EVEN: f64 = 0.8;
 /// Steps that are taken to see.
 const STEPS: usize = 6;
 
@@ -62,11 +64,11 @@ impl Search<'_, '_> {
         if self.is_far_from_solved() {
             return Continue(Verdict::Asymptotic);
         }
-        if growth <= limit && e <= self.settled() && !leans {
-            return Continue(Verdict::Accepted);
-        }
         let judged = self.run.certificate.map_or(f64::INFINITY, |c| c.relative_residual);
-        if judged <= self.settled() && !self.has_grown(2.0) {
+        let is_settled = growth <= limit && e <= self.settled() && !leans
+            || judged <= self.settled() && !self.has_grown(2.0);
+        // A smaller residual may be one farther on the way of an earlier point.
+        if is_settled && !(self.memory.runs_on && self.has_grown(2.0)) {
             return Continue(Verdict::Accepted);
         }
         // In scales of its own, a matrix that is nearly singular is one in all units.
@@ -77,18 +79,15 @@ impl Search<'_, '_> {
         let is_singular = !self.undamped_min_map_direction();
         let clear = (CONTRADICTION * self.run.options.tol_relative).max(SHARP);
         if is_singular {
-            // Singular is also every system with multipliers that are not unique.
-            let runs_away = self.memory.asymptotic && growth > GROWN[0];
-            if runs_away || self.has_lost_a_variable() || self.near_residual(AT_START) > clear {
-                return Continue(Verdict::Asymptotic);
-            }
-            if self.is_beyond_scales() {
-                // No step can tell.
-                return Continue(Verdict::Accepted);
+            if let Some(verdict) = self.look_where_singular(growth, clear) {
+                return Continue(verdict);
             }
         } else if self.leads_on(MOVING, limit) {
+            self.memory.runs_on = true;
             return Continue(Verdict::Asymptotic);
-        } else if !leans && !self.has_grown(GROWN[0]) || judged <= clear && !self.has_grown(2.0) {
+        } else if !self.drifts(1.0)
+            && (!leans && !self.has_grown(GROWN[0]) || judged <= clear && !self.has_grown(2.0))
+        {
             return Continue(Verdict::Accepted);
         }
         if self.settles(is_singular)? {
@@ -97,8 +96,24 @@ impl Search<'_, '_> {
         }
         let Search { run, memory } = self;
         memory.view.unscale(&memory.here.z, run.problem.shape().bounds(), &mut memory.model_z);
-        let is_at_infinity = !is_singular && self.leads_on(SHORT, 1.0);
-        Continue(if is_at_infinity { Verdict::Asymptotic } else { Verdict::Refused })
+        if is_singular || !self.leads_on(SHORT, 1.0) {
+            return Continue(Verdict::Refused);
+        }
+        self.memory.runs_on = true;
+        Continue(Verdict::Asymptotic)
+    }
+
+    /// What can be said without a step. Singular is also every system with multipliers that are not unique.
+    fn look_where_singular(&mut self, growth: f64, clear: f64) -> Option<Verdict> {
+        let runs_away = self.memory.asymptotic && growth > GROWN[0];
+        if runs_away || self.has_lost_a_variable() || self.near_residual(AT_START) > clear {
+            return Some(Verdict::Asymptotic);
+        }
+        // Beyond scales no step can tell.
+        self.is_beyond_scales().then(|| match growth > DIVERGED {
+            true => Verdict::Asymptotic,
+            false => Verdict::Accepted,
+        })
     }
 
     /// Relative residual of a point with which all is said.
@@ -124,14 +139,26 @@ impl Search<'_, '_> {
         (0..y.len()).any(|j| memory.growth(j) > limit && d[j].abs() > moving * y[j].abs())
     }
 
+    /// Whether the direction changes a variable that is more than `times` its start by more than a little.
+    fn drifts(&self, times: f64) -> bool {
+        (0..self.memory.unit.len()).any(|j| self.is_drifting(j, times))
+    }
+
+    fn is_drifting(&self, j: usize, times: f64) -> bool {
+        let memory = &*self.memory;
+        let (y, d) = (memory.here.z[j], memory.direction[j]);
+        memory.model_z[j].abs() > times * memory.own(j) && d.abs() > SHORT * y.abs()
+    }
+
     /// Goes on with Newton's steps, damped ones where the matrix is singular, as long as they lead to a
     /// root. Whether they do.
     fn settles(&mut self, is_singular: bool) -> Flow<bool> {
+        let leans = self.run.work.certifier.leans();
         // A residual may vanish at infinity, but there no step is right twice.
         let least = if is_singular { 0 } else { 2 };
         for k in 0..STEPS {
             let e = self.relative_residual();
-            if k >= least && e <= self.settled() {
+            if k >= least && e <= self.settled() && (is_singular || !self.drifts(2.0)) {
                 // At a singular matrix terms may have grown and left `G` as it was.
                 if !is_singular || self.near_residual(AT_START) <= self.settled() {
                     break;
@@ -141,13 +168,23 @@ impl Search<'_, '_> {
             if !self.min_map_direction(1e-16) {
                 return Continue(false);
             }
-            if !is_singular && self.is_short() {
+            let is_short = !is_singular && self.is_short();
+            // What one variable has left of its digits may hide where another one goes.
+            if is_short && (k > 0 || !leans) {
                 break;
             }
             let mut next = self.residual_ahead();
-            if !(next <= CONTRACTION * e) {
-                let is_noise = if is_singular { self.is_rounded() } else { self.is_straight() };
-                if is_noise {
+            if is_short && next.is_nan() {
+                break;
+            }
+            if !is_short && !(next <= CONTRACTION * e) {
+                let most = self.run.options.tol_relative.max(STRIDE * e);
+                let is_noise = if is_singular {
+                    self.is_rounded()
+                } else {
+                    next <= most && self.is_straight()
+                };
+                if is_noise && !(self.memory.runs_on && self.drifts(2.0)) {
                     break;
                 }
                 // A matrix that is nearly singular makes much of rounding.
@@ -158,7 +195,7 @@ impl Search<'_, '_> {
                     return Continue(false);
                 }
             }
-            if k > 0 && !is_singular && next <= QUICK * e {
+            if k > 0 && !is_singular && next <= QUICK * e && !self.drifts(2.0) {
                 break;
             }
             self.swap();
@@ -169,7 +206,19 @@ impl Search<'_, '_> {
                 return Continue(false);
             }
         }
-        Continue(true)
+        Continue(is_singular || !self.has_gone_on())
+    }
+
+    /// Whether a variable that drifts has done so by steps of one length: those towards a root of multiplicity
+    /// `m` shrink by `1 − 1/m`.
+    fn has_gone_on(&self) -> bool {
+        let memory = &*self.memory;
+        let (y, d, units) = (&memory.here.z, &memory.direction, memory.view.units());
+        let is_even = |j: usize| {
+            let way = y[j] - memory.model_z[j] / units[j];
+            STEPS as f64 * d[j].abs() > EVEN * way.abs()
+        };
+        (0..y.len()).any(|j| self.is_drifting(j, 1.0) && is_even(j))
     }
 
     /// Whether the direction changes no variable by more than a little of it, or the rounding of its start.

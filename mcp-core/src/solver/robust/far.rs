@@ -112,22 +112,35 @@ impl Search<'_, '_> {
     /// Whether a variable has grown and left all equations smoothly on its way, as `z` leaves `v = e^-z`, and not
     /// at a kink, as it leaves `v = max(0, 1 − z)`: on the way back its derivatives come into sight by degrees.
     pub(super) fn has_lost_a_variable(&mut self) -> bool {
-        let memory = &*self.memory;
-        let has_grown = |j: usize| memory.model_z[j].abs() > memory.own(j);
-        let mut all = 0..memory.unit.len();
-        let Some(j) = all.find(|&j| has_grown(j) && self.is_in_no_equation(j)) else {
+        let n = self.memory.unit.len();
+        self.memory.slope.copy_from_slice(&self.memory.model_z);
+        self.slopes();
+        let is_lost = |j: usize| {
+            let memory = &*self.memory;
+            memory.model_z[j].abs() > memory.own(j)
+                && memory.view.natural(&memory.here, j).1 == Branch::Equation
+                && self.share(j) < LOST
+        };
+        let Some(j) = (0..n).find(|&j| is_lost(j)) else {
             return false;
         };
-        let (mut far, mut near) = (self.memory.model_z[j], self.memory.model_z[j]);
+        let z = self.memory.model_z[j];
+        let mut share_at = |z: f64| {
+            self.memory.slope[j] = z;
+            self.run.problem.shape().bounds().project(&mut self.memory.slope);
+            self.slopes();
+            self.share(j)
+        };
+        let (mut far, mut near) = (z, z);
         for _ in 0..BACK {
             (far, near) = (near, SHORTER * near);
-            if self.share(j, near) >= LOST {
+            if share_at(near) >= LOST {
                 break;
             }
         }
         for _ in 0..BISECTIONS {
             let between = 0.5 * (far + near);
-            match self.share(j, between) {
+            match share_at(between) {
                 share if share < LOST => far = between,
                 share if share < SEEN => return true,
                 _ => near = between,
@@ -136,24 +149,19 @@ impl Search<'_, '_> {
         false
     }
 
-    /// Whether a variable between its bounds has scaled derivatives that count as none.
-    fn is_in_no_equation(&self, j: usize) -> bool {
-        let memory = &*self.memory;
-        let mut column = self.run.problem.pattern().column(j);
-        memory.view.natural(&memory.here, j).1 == Branch::Equation
-            && column.all(|k| memory.jac[k].abs() < LOST)
-    }
-
-    /// The largest share of `z_j`, where it is `z`, in the terms of an equation.
-    fn share(&mut self, j: usize, z: f64) -> f64 {
+    /// `J` at the point in `slope`.
+    fn slopes(&mut self) {
         let Search { run, memory } = self;
-        memory.slope.copy_from_slice(&memory.model_z);
-        memory.slope[j] = z;
-        run.problem.shape().bounds().project(&mut memory.slope);
         run.stats.jacobian_evaluations += 1;
         run.problem.evaluate(&memory.slope, None, Some(run.work.certifier.spare()));
+    }
+
+    /// The largest share of `z_j` in the terms of an equation, with the slopes at the point in `slope`.
+    fn share(&self, j: usize) -> f64 {
+        let Search { run, memory } = self;
         let (jac, size) = (run.work.certifier.jac(), run.work.certifier.row_size());
         let pattern = run.problem.pattern();
+        let z = memory.slope[j];
         pattern
             .column(j)
             .fold(0.0, |most: f64, k| most.max((jac[k] * z).abs() / size[pattern.row(k)]))

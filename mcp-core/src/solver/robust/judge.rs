@@ -17,7 +17,7 @@ const ROUNDING: f64 = 4.0 * f64::EPSILON;
 /// Relative residual of a point that should satisfy every tolerance that can be satisfied.
 pub(super) const SHARP: f64 = 1e-13;
 /// Growth beyond which a stage is left.
-const DIVERGED: f64 = 1e12;
+pub(super) const DIVERGED: f64 = 1e12;
 /// How far below its start a variable may fall before its start counts: `2⁻¹³`.
 pub(super) const FLOOR: i32 = 13;
 

@@ -58,6 +58,8 @@ pub(in crate::solver) struct Memory {
     pub(super) leave: Option<StageEnd>,
     /// Whether a point was met that is a solution only at infinity; it is then the best one.
     pub(super) asymptotic: bool,
+    /// Whether Newton led on to infinity from a point that the certificate accepts.
+    pub(super) runs_on: bool,
     pub(super) damped: Option<Damped>,
     pub(super) basis: Option<Basis>,
     pub(in crate::solver) records: Vec<StageRecord>,
@@ -110,6 +112,7 @@ impl Memory {
         self.best_residual = f64::INFINITY;
         self.leave = None;
         self.asymptotic = false;
+        self.runs_on = false;
         self.records.clear();
         self.records.reserve(RECORDS);
     }
