@@ -28,6 +28,10 @@
 //! nothing about the way to a root. And `F` must not be infinite where variables next to a bound are
 //! put onto it. Cost: one pass, a few sweeps over the nonzeros, rarely three passes more.
 //!
+//! A variable whose term fades in all equations that must hold, and with it their residuals, is on its way to
+//! infinity: `F_i = z^-p` is `1/p` of its term `J_ij z_j`, `e^-z` `1/z` of it, and `(z − z*)^m` next to its root
+//! much less.
+//!
 //! What no test of this kind can tell: an equation that is satisfied because it no longer depends
 //! on anything (`0 = 0`) looks like a solution at infinity and is called asymptotic; steps below 10⁻¹⁴
 //! count as rounding in whatever units a problem with a start of 0 is.
@@ -69,6 +73,10 @@ pub struct Certificate {
     /// A variable beyond 2²⁶ times its start (or 1) while every equation with such variables that must
     /// hold is their terms alone, but for `8ε s_i`: whatever else is in it has been lost in rounding.
     pub constants_lost: Option<usize>,
+    /// A variable between its bounds, beyond its start (or 1), that fades out of all equations that must hold:
+    /// its term is below 10⁻⁶ of the others, and the residual no less than a 300th of its term (`v = e^-z`,
+    /// `v = 0`).
+    pub fading: Option<usize>,
 }
 
 /// What a certificate means for given tolerances.
@@ -85,7 +93,7 @@ pub enum Verdict {
 impl Certificate {
     /// The variable that makes the point look like a solution at infinity, if one does.
     pub fn runaway(&self) -> Option<usize> {
-        self.diverging.or(self.constants_lost)
+        self.diverging.or(self.constants_lost).or(self.fading)
     }
 
     /// Before anything was judged.
@@ -100,21 +108,22 @@ impl Certificate {
             vanishing_row: None,
             diverging: None,
             constants_lost: None,
+            fading: None,
         }
     }
 
     /// The definition of a solution: in the box, [finite](Self::is_finite), `e <= tol_relative`, and
     /// `r <= tol` if an absolute tolerance is set.
     ///
-    /// Where `r <= tol` but an equation has lost its derivatives or its constants, or `e` stays large
-    /// while a variable runs away, it is asymptotic. Without an absolute tolerance `e` alone decides.
+    /// Where `r <= tol` but an equation has lost its derivatives or its constants or all have lost a
+    /// variable, or `e` stays large while a variable runs away, it is asymptotic. Without an absolute tolerance `e` alone decides.
     pub fn verdict(&self, tol: Option<f64>, tol_relative: f64) -> Verdict {
         let in_box = self.bound_violation <= 0.0;
         let relative = self.relative_residual <= tol_relative;
         let small = tol.map_or(relative, |tol| self.natural_residual <= tol);
         if !(in_box && self.is_finite && small) {
             Verdict::Refused
-        } else if self.vanishing_row.is_some() || self.constants_lost.is_some() {
+        } else if self.vanishing_row.or(self.constants_lost).or(self.fading).is_some() {
             Verdict::Asymptotic
         } else if relative {
             Verdict::Accepted
@@ -251,6 +260,7 @@ impl Certifier {
                 certificate = self.compare(problem.shape(), z, is_finite);
             }
             certificate.constants_lost = self.lost_constants(problem, z);
+            certificate.fading = self.fading_variable(problem, z);
             certificate.is_finite = !self.is_infinite_on_bounds(problem, z);
         }
         certificate

@@ -138,6 +138,22 @@ fn a_far_solution_is_a_solution_and_a_fading_residual_is_not() {
 }
 
 #[test]
+fn a_variable_whose_terms_fade_like_the_residuals_is_on_its_way_to_infinity() {
+    // F₁ = v − 1e-12 z + c, F₂ = v; at z = 27, v = 0 the residual is a share of the term of z.
+    let at = |share: f64, start: f64| {
+        let c = 27e-12 * (1.0 + share);
+        let mut problem = line(&[FREE; 2], &[start, 1.0], &[c, 0.0], &[-1e-12, 0.0, 1.0, 1.0]);
+        examine(&mut problem, &[27.0, 0.0]).unwrap()
+    };
+    let decay = at(1.0 / 27.0, 1.0);
+    assert_eq!((decay.fading, decay.verdict(None, 1e-8)), (Some(0), Verdict::Asymptotic));
+    // Next to a root, however flat; and where the variable was at the start.
+    for near in [at(1e-4, 1.0), at(1.0 / 27.0, 27.0)] {
+        assert_eq!((near.fading, near.verdict(None, 1e-8)), (None, Verdict::Accepted));
+    }
+}
+
+#[test]
 fn scaling_an_equation_changes_no_relative_residual() {
     // J = [2 1; 1e-3 3], z = (1, 0) from (1, 0), F = (1e-3, 1e-5): row 2 times 2^k.
     let residual = |k: i32| {

@@ -8,6 +8,10 @@ use crate::problem::Problem;
 const GROWN: f64 = 67_108_864.0;
 /// Share of `w` beside the point where slopes are measured again: the default of `tol_relative`.
 const BESIDE: f64 = 1e-8;
+/// Share of the terms of an equation that a variable on its way to infinity has left of it.
+const FADED: f64 = 1e-6;
+/// Residual, relative to the term of the only variable that matters, of a point that still moves: `e^(−z²)` at 13.
+const MOVING: f64 = 3e-3;
 
 impl Certifier {
     /// A variable that has grown far although no equation with it sees anything but its own terms.
@@ -32,6 +36,24 @@ impl Certifier {
         asked.peek()?;
         let is_lost = |i: usize| constant[i].abs() <= 8.0 * f64::EPSILON * self.sizes.of_row[i];
         asked.all(is_lost).then_some(first)
+    }
+
+    /// A variable that has grown and whose terms have become small beside the others in all equations, although
+    /// not beside the residuals.
+    pub(super) fn fading_variable(&self, problem: &dyn Problem, z: &[f64]) -> Option<usize> {
+        let (shape, pattern) = (problem.shape(), problem.pattern());
+        let must_hold = |i: usize| self.sizes.must_hold(shape.bounds(), i, z[i], self.f[i]);
+        let fades = |&j: &usize| {
+            let terms = pattern.column(j).map(|k| (pattern.row(k), (self.jac[k] * z[j]).abs()));
+            let seen = terms
+                .filter(|&(i, _)| must_hold(i))
+                .map(|(i, term)| (term / self.sizes.of_row[i], self.f[i].abs() / term));
+            let (share, residual) =
+                seen.fold((0.0, 0.0), |most, own| if own.0 > most.0 { own } else { most });
+            0.0 < share && share <= FADED && residual >= MOVING
+        };
+        let has_grown = |j: &usize| z[*j].abs() > shape.start()[*j].abs().max(1.0);
+        (0..z.len()).find(|j| has_grown(j) && must_hold(*j) && fades(j))
     }
 
     /// Whether an equation that must hold does so only by what `k` adds to its size.
