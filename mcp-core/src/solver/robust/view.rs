@@ -203,7 +203,7 @@ impl View {
     pub(in crate::solver) fn natural_max(&self, point: &Point) -> f64 {
         (0..point.z.len()).fold(0.0, |max: f64, i| {
             let value = self.natural(point, i).0.abs();
-            if value <= max { max } else { value }
+            if value <= max || max.is_nan() { max } else { value }
         })
     }
 }
