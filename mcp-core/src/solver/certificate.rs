@@ -74,7 +74,7 @@ pub struct Certificate {
     /// hold is their terms alone, but for `8ε s_i`: whatever else is in it has been lost in rounding.
     pub constants_lost: Option<usize>,
     /// A variable between its bounds, beyond its start (or 1), that fades out of all equations that must hold:
-    /// its term is below 10⁻⁶ of the others, and the residual no less than a 300th of its term (`v = e^-z`,
+    /// its term is below 10⁻⁵ of the others, and the residual no less than a 300th of its term (`v = e^-z`,
     /// `v = 0`).
     pub fading: Option<usize>,
 }

@@ -9,7 +9,7 @@ const GROWN: f64 = 67_108_864.0;
 /// Share of `w` beside the point where slopes are measured again: the default of `tol_relative`.
 const BESIDE: f64 = 1e-8;
 /// Share of the terms of an equation that a variable on its way to infinity has left of it.
-const FADED: f64 = 1e-6;
+const FADED: f64 = 1e-5;
 /// Residual, relative to the term of the only variable that matters, of a point that still moves: `e^(−z²)` at 13.
 const MOVING: f64 = 3e-3;
 
