@@ -29,8 +29,8 @@
 //! put onto it. Cost: one pass, a few sweeps over the nonzeros, rarely three passes more.
 //!
 //! A variable whose term fades in all equations that must hold, and with it their residuals, is on its way to
-//! infinity: `F_i = z^-p` is `1/p` of its term `J_ij z_j`, `e^-z` `1/z` of it, and `(z − z*)^m` next to its root
-//! much less.
+//! infinity: `F_i = z^-p` is `1/p` of its term `J_ij z_j`, `e^-z` `1/z` of it, and `F_i` at `2 z_j` a part of
+//! both; next to a root `F_i` is a small share of the term, or it changes its sign or grows on the way to `2 z_j`.
 //!
 //! What no test of this kind can tell: an equation that is satisfied because it no longer depends
 //! on anything (`0 = 0`) looks like a solution at infinity and is called asymptotic; steps below 10⁻¹⁴
@@ -73,9 +73,9 @@ pub struct Certificate {
     /// A variable beyond 2²⁶ times its start (or 1) while every equation with such variables that must
     /// hold is their terms alone, but for `8ε s_i`: whatever else is in it has been lost in rounding.
     pub constants_lost: Option<usize>,
-    /// A variable between its bounds, beyond its start (or 1), that fades out of all equations that must hold:
-    /// its term is below 10⁻⁵ of the others, and the residual no less than a 300th of its term (`v = e^-z`,
-    /// `v = 0`).
+    /// A variable between its bounds, beyond its start (or 1, if that is 0), that fades out of all equations
+    /// that must hold (`v = e^-z`, `v = 0`): its terms are below 10⁻⁵ of their sizes; where it is largest, the
+    /// residual is no less than a 300th of its term, and less where it is twice as far.
     pub fading: Option<usize>,
 }
 
@@ -123,7 +123,9 @@ impl Certificate {
         let small = tol.map_or(relative, |tol| self.natural_residual <= tol);
         if !(in_box && self.is_finite && small) {
             Verdict::Refused
-        } else if self.vanishing_row.or(self.constants_lost).or(self.fading).is_some() {
+        } else if self.vanishing_row.or(self.constants_lost).is_some() {
+            Verdict::Asymptotic
+        } else if relative && self.fading.is_some() {
             Verdict::Asymptotic
         } else if relative {
             Verdict::Accepted

@@ -1,6 +1,7 @@
 //! Second looks of the certificate at a point that might be accepted.
 
 use super::{Certifier, all_finite};
+use crate::model::Shape;
 use crate::problem::Problem;
 
 /// Growth from which rounding in a sum of terms is more than the default of `tol_relative` of its
@@ -10,8 +11,10 @@ const GROWN: f64 = 67_108_864.0;
 const BESIDE: f64 = 1e-8;
 /// Share of the terms of an equation that a variable on its way to infinity has left of it.
 const FADED: f64 = 1e-5;
-/// Residual, relative to the term of the only variable that matters, of a point that still moves: `e^(−z²)` at 13.
+/// Residual, relative to that term, of a point that still moves: `e^(−z²)` at 13.
 const MOVING: f64 = 3e-3;
+/// What of it is left twice as far: `z^-p` with `p > 0.4`.
+const FADING: f64 = 0.75;
 
 impl Certifier {
     /// A variable that has grown far although no equation with it sees anything but its own terms.
@@ -38,22 +41,42 @@ impl Certifier {
         asked.all(is_lost).then_some(first)
     }
 
-    /// A variable that has grown and whose terms have become small beside the others in all equations, although
-    /// not beside the residuals.
-    pub(super) fn fading_variable(&self, problem: &dyn Problem, z: &[f64]) -> Option<usize> {
+    /// A variable beyond its start and between its bounds whose terms have become small beside the others in all equations that must
+    /// hold, although not beside the residual of the one where it is largest; and that residual becomes less
+    /// where the variable is twice as far.
+    pub(super) fn fading_variable(
+        &mut self,
+        problem: &mut dyn Problem,
+        z: &[f64],
+    ) -> Option<usize> {
+        (0..z.len()).find(|&j| {
+            self.fading_in(problem, z, j).is_some_and(|i| self.fades_on(problem, z, j, i))
+        })
+    }
+
+    /// The equation where a variable is largest, if its term is small there, although not beside the residual.
+    fn fading_in(&self, problem: &dyn Problem, z: &[f64], j: usize) -> Option<usize> {
         let (shape, pattern) = (problem.shape(), problem.pattern());
         let must_hold = |i: usize| self.sizes.must_hold(shape.bounds(), i, z[i], self.f[i]);
-        let fades = |&j: &usize| {
-            let terms = pattern.column(j).map(|k| (pattern.row(k), (self.jac[k] * z[j]).abs()));
-            let seen = terms
-                .filter(|&(i, _)| must_hold(i))
-                .map(|(i, term)| (term / self.sizes.of_row[i], self.f[i].abs() / term));
-            let (share, residual) =
-                seen.fold((0.0, 0.0), |most, own| if own.0 > most.0 { own } else { most });
-            0.0 < share && share <= FADED && residual >= MOVING
-        };
-        let has_grown = |j: &usize| z[*j].abs() > shape.start()[*j].abs().max(1.0);
-        (0..z.len()).find(|j| has_grown(j) && must_hold(*j) && fades(j))
+        if !(has_grown(shape, z, j) && must_hold(j)) {
+            return None;
+        }
+        let terms = pattern.column(j).map(|k| (pattern.row(k), (self.jac[k] * z[j]).abs()));
+        let shares = terms
+            .filter(|&(i, _)| must_hold(i))
+            .map(|(i, term)| (term / self.sizes.of_row[i], i, self.f[i].abs() / term));
+        let (share, i, residual) = shares.max_by(|a, b| a.0.total_cmp(&b.0))?;
+        (0.0 < share && share <= FADED && residual >= MOVING).then_some(i)
+    }
+
+    /// Whether `F_i` keeps its sign and shrinks where `z_j` is twice as large.
+    fn fades_on(&mut self, problem: &mut dyn Problem, z: &[f64], j: usize, i: usize) -> bool {
+        self.beside.copy_from_slice(z);
+        self.beside[j] *= 2.0;
+        problem.shape().bounds().project(&mut self.beside);
+        problem.evaluate(&self.beside, Some(&mut self.f_beside), None);
+        let left = self.f_beside[i] / self.f[i];
+        self.beside[j] == 2.0 * z[j] && (0.0..=FADING).contains(&left)
     }
 
     /// Whether an equation that must hold does so only by what `k` adds to its size.
@@ -65,10 +88,16 @@ impl Certifier {
         (0..z.len()).any(|i| f[i].abs() > BESIDE * own[i] && sizes.must_hold(bounds, i, z[i], f[i]))
     }
 
-    /// Whether all derivatives by a variable between its bounds are zero or subnormal.
+    /// Whether all derivatives by a variable between its bounds are zero or subnormal, or the variable is beyond
+    /// its start and lost in the rounding of all equations.
     pub(super) fn has_free_variable(&self, problem: &dyn Problem, z: &[f64]) -> bool {
         let (pattern, bounds) = (problem.pattern(), problem.shape().bounds());
-        let is_free = |j| pattern.column(j).all(|k| self.jac[k].abs() < f64::MIN_POSITIVE);
+        let is_lost = |k: usize, j: usize| {
+            let (slope, size) = (self.jac[k].abs(), self.sizes.of_row[pattern.row(k)]);
+            let is_rounded = slope * z[j].abs() < f64::EPSILON * size;
+            slope < f64::MIN_POSITIVE || is_rounded && has_grown(problem.shape(), z, j)
+        };
+        let is_free = |j: usize| pattern.column(j).all(|k| is_lost(k, j));
         (0..z.len()).any(|j| is_free(j) && self.sizes.must_hold(bounds, j, z[j], self.f[j]))
     }
 
@@ -113,4 +142,10 @@ impl Certifier {
         }
         is_moved && self.f_beside.iter().any(|f| f.is_infinite())
     }
+}
+
+/// Whether a variable is beyond its start, or 1 if that is 0.
+fn has_grown(shape: &Shape, z: &[f64], j: usize) -> bool {
+    let start = shape.start()[j].abs();
+    z[j].abs() > if start > 0.0 { start } else { 1.0 }
 }

@@ -76,6 +76,9 @@ impl Search<'_, '_> {
         if growth > FAR && self.is_free_when_far() {
             return Continue(Verdict::Asymptotic);
         }
+        if leans && self.has_lost_a_variable() {
+            return Continue(Verdict::Asymptotic);
+        }
         let is_singular = !self.undamped_min_map_direction();
         let clear = (CONTRADICTION * self.run.options.tol_relative).max(SHARP);
         if is_singular {
@@ -106,8 +109,12 @@ impl Search<'_, '_> {
     /// What can be said without a step. Singular is also every system with multipliers that are not unique.
     fn look_where_singular(&mut self, growth: f64, clear: f64) -> Option<Verdict> {
         let runs_away = self.memory.asymptotic && growth > GROWN[0];
-        if runs_away || self.has_lost_a_variable() || self.near_residual(AT_START) > clear {
+        if runs_away || self.has_lost_a_variable() {
             return Some(Verdict::Asymptotic);
+        }
+        if self.near_residual(AT_START) > clear {
+            let has_grown = self.has_grown(1.0);
+            return Some(if has_grown { Verdict::Asymptotic } else { Verdict::Refused });
         }
         // Beyond scales no step can tell.
         self.is_beyond_scales().then(|| match growth > DIVERGED {
@@ -161,7 +168,7 @@ impl Search<'_, '_> {
             if k >= least && e <= self.settled() && (is_singular || !self.drifts(2.0)) {
                 // At a singular matrix terms may have grown and left `G` as it was.
                 if !is_singular || self.near_residual(AT_START) <= self.settled() {
-                    break;
+                    return Continue(true);
                 }
                 self.relative_residual();
             }
@@ -171,11 +178,11 @@ impl Search<'_, '_> {
             let is_short = !is_singular && self.is_short();
             // What one variable has left of its digits may hide where another one goes.
             if is_short && (k > 0 || !leans) {
-                break;
+                return Continue(true);
             }
             let mut next = self.residual_ahead();
             if is_short && next.is_nan() {
-                break;
+                return Continue(true);
             }
             if !is_short && !(next <= CONTRACTION * e) {
                 let most = self.run.options.tol_relative.max(STRIDE * e);
@@ -185,7 +192,7 @@ impl Search<'_, '_> {
                     next <= most && self.is_straight()
                 };
                 if is_noise && !(self.memory.runs_on && self.drifts(2.0)) {
-                    break;
+                    return Continue(true);
                 }
                 // A matrix that is nearly singular makes much of rounding.
                 if !is_singular && self.damped_direction(1e-16) {
@@ -196,7 +203,7 @@ impl Search<'_, '_> {
                 }
             }
             if k > 0 && !is_singular && next <= QUICK * e && !self.drifts(2.0) {
-                break;
+                return Continue(true);
             }
             self.swap();
             self.run.stats.iterations += 1;

@@ -22,13 +22,15 @@ pub(super) const AT_START: f64 = 1.0;
 /// Derivatives that are small in spite of the scales.
 const SMALL: f64 = 1e-8;
 /// Share of a variable in its equations that counts as none, and one that cannot come of rounding.
-const LOST: f64 = 1e-20;
+const LOST: f64 = f64::EPSILON;
 const SEEN: f64 = 1e-8;
 /// On the way back to where a lost variable is seen: what a step multiplies it by, how many there are, and how
 /// often the last one is halved.
-const SHORTER: f64 = 0.7;
-const BACK: usize = 30;
-const BISECTIONS: usize = 12;
+const SHORTER: f64 = 0.5;
+const BACK: usize = 60;
+const BISECTIONS: usize = 16;
+/// Lost variables that are looked at.
+const CANDIDATES: usize = 8;
 
 impl Search<'_, '_> {
     /// Whether the iterate is far away, and small residuals are due to that.
@@ -121,9 +123,16 @@ impl Search<'_, '_> {
                 && memory.view.natural(&memory.here, j).1 == Branch::Equation
                 && self.share(j) < LOST
         };
-        let Some(j) = (0..n).find(|&j| is_lost(j)) else {
-            return false;
-        };
+        let lost = std::array::from_fn::<_, CANDIDATES, _>({
+            let mut all = (0..n).filter(|&j| is_lost(j));
+            move |_| all.next()
+        });
+        lost.into_iter().flatten().any(|j| self.left_smoothly(j))
+    }
+
+    /// Whether the derivatives of a lost variable come into sight by degrees on the way back.
+    fn left_smoothly(&mut self, j: usize) -> bool {
+        self.memory.slope.copy_from_slice(&self.memory.model_z);
         let z = self.memory.model_z[j];
         let mut share_at = |z: f64| {
             self.memory.slope[j] = z;

@@ -110,6 +110,7 @@ impl Search<'_, '_> {
         }
         if verdict == Verdict::Asymptotic {
             let Search { run, memory } = self;
+            memory.runs_on |= run.certificate.is_some_and(|c| c.fading.is_some());
             if !memory.asymptotic {
                 memory.best.copy_from_slice(&run.work.answer);
                 memory.best_residual = polished;
