@@ -121,11 +121,10 @@ impl Certificate {
         let in_box = self.bound_violation <= 0.0;
         let relative = self.relative_residual <= tol_relative;
         let small = tol.map_or(relative, |tol| self.natural_residual <= tol);
+        let is_lost = self.vanishing_row.or(self.constants_lost).is_some();
         if !(in_box && self.is_finite && small) {
             Verdict::Refused
-        } else if self.vanishing_row.or(self.constants_lost).is_some() {
-            Verdict::Asymptotic
-        } else if relative && self.fading.is_some() {
+        } else if is_lost || relative && self.fading.is_some() {
             Verdict::Asymptotic
         } else if relative {
             Verdict::Accepted

@@ -137,20 +137,49 @@ fn a_far_solution_is_a_solution_and_a_fading_residual_is_not() {
     assert_eq!(fading.verdict(None, 1e-8), Verdict::Refused);
 }
 
-#[test]
-fn a_variable_whose_terms_fade_like_the_residuals_is_on_its_way_to_infinity() {
-    // F₁ = v − 1e-12 z + c, F₂ = v; at z = 27, v = 0 the residual is a share of the term of z.
-    let at = |share: f64, start: f64| {
-        let c = 27e-12 * (1.0 + share);
-        let mut problem = line(&[FREE; 2], &[start, 1.0], &[c, 0.0], &[-1e-12, 0.0, 1.0, 1.0]);
-        examine(&mut problem, &[27.0, 0.0]).unwrap()
-    };
-    let decay = at(1.0 / 27.0, 1.0);
-    assert_eq!((decay.fading, decay.verdict(None, 1e-8)), (Some(0), Verdict::Asymptotic));
-    // Next to a root, however flat; and where the variable was at the start.
-    for near in [at(1e-4, 1.0), at(1.0 / 27.0, 27.0)] {
-        assert_eq!((near.fading, near.verdict(None, 1e-8)), (None, Verdict::Accepted));
+/// `F₁ = v + d(z)`, `F₂ = v` in `(z, v)`, of which `d` and its derivative are given.
+struct Beside {
+    shape: Arc<Shape>,
+    pattern: Pattern,
+    curve: fn(f64) -> (f64, f64),
+}
+
+impl Problem for Beside {
+    fn shape(&self) -> &Arc<Shape> {
+        &self.shape
     }
+    fn pattern(&self) -> &Pattern {
+        &self.pattern
+    }
+    fn evaluate(&mut self, z: &[f64], f: Option<&mut [f64]>, jac: Option<&mut [f64]>) {
+        let (d, slope) = (self.curve)(z[0]);
+        if let Some(f) = f {
+            f.copy_from_slice(&[z[1] + d, z[1]]);
+        }
+        if let Some(jac) = jac {
+            jac.copy_from_slice(&[slope, 0.0, 1.0, 1.0]);
+        }
+    }
+}
+
+#[test]
+fn a_variable_that_fades_twice_as_far_as_well_is_on_its_way_to_infinity() {
+    let at = |z: f64, start: f64, curve: fn(f64) -> (f64, f64)| {
+        let shape = Shape::anonymous(&[-INF; 2], &[INF; 2], &[start, 1.0]).unwrap().into();
+        let mut problem = Beside { shape, pattern: Pattern::dense(2), curve };
+        let certificate = examine(&mut problem, &[z, 0.0]).unwrap();
+        (certificate.fading, certificate.verdict(None, 1e-8))
+    };
+    let decay = |z: f64| ((-z).exp(), -(-z).exp());
+    assert_eq!(at(28.0, 1.0, decay), (Some(0), Verdict::Asymptotic));
+    assert_eq!(at(-28.0, 1.0, |z| (z.exp(), z.exp())), (Some(0), Verdict::Asymptotic));
+    assert_eq!(at(1.2e6, 0.0, |z| (z.powi(-2), -2.0 * z.powi(-3))), (Some(0), Verdict::Asymptotic));
+    assert_eq!(at(28.0, 28.0, decay), (None, Verdict::Accepted), "the start says it is ordinary");
+    assert_eq!(at(20.0, 1.0, decay), (None, Verdict::Refused), "no small residual yet");
+    // A hundredth before roots of multiplicity 1 and 2 that are hardly seen.
+    assert_eq!(at(27.0, 1.0, |z| (1e-12 * (z - 27.3), 1e-12)), (None, Verdict::Accepted));
+    let double = |z: f64| (1e-12 * (z - 27.3).powi(2), 2e-12 * (z - 27.3));
+    assert_eq!(at(27.0, 1.0, double), (None, Verdict::Accepted));
 }
 
 #[test]

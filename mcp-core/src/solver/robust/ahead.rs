@@ -9,9 +9,10 @@
 //! ```
 //!
 //! It is taken where an equation holds by what is known of the sizes of its variables and not by their
-//! values, where variables have grown far, and where the residual is more than rounding. Cost: one
-//! factorisation and one or two `F`; several of each and of `J` near a multiple root and where the matrix is
-//! singular.
+//! values, where variables have grown far or are lost in rounding, where the residual is more than rounding, and
+//! beyond a point from which Newton led on to infinity. Steps towards infinity are of one length; those towards a
+//! root of multiplicity `m` shrink by `1 − 1/m`. Cost: one factorisation and one or two `F`; several of each and
+//! of `J` near a multiple root and where the matrix is singular.
 
 use super::Search;
 use super::far::{AT_START, FAR};
@@ -76,22 +77,19 @@ impl Search<'_, '_> {
         if growth > FAR && self.is_free_when_far() {
             return Continue(Verdict::Asymptotic);
         }
-        if leans && self.has_lost_a_variable() {
+        let is_singular = !self.undamped_min_map_direction();
+        if (is_singular || leans) && self.has_lost_a_variable() {
             return Continue(Verdict::Asymptotic);
         }
-        let is_singular = !self.undamped_min_map_direction();
-        let clear = (CONTRADICTION * self.run.options.tol_relative).max(SHARP);
-        if is_singular {
-            if let Some(verdict) = self.look_where_singular(growth, clear) {
-                return Continue(verdict);
-            }
-        } else if self.leads_on(MOVING, limit) {
-            self.memory.runs_on = true;
-            return Continue(Verdict::Asymptotic);
-        } else if !self.drifts(1.0)
-            && (!leans && !self.has_grown(GROWN[0]) || judged <= clear && !self.has_grown(2.0))
-        {
-            return Continue(Verdict::Accepted);
+        let told = if is_singular {
+            self.look_where_singular(growth)
+        } else {
+            let is_sharp = !leans && !self.has_grown(GROWN[0])
+                || judged <= self.clear() && !self.has_grown(2.0);
+            self.look_where_regular(limit, is_sharp)
+        };
+        if let Some(verdict) = told {
+            return Continue(verdict);
         }
         if self.settles(is_singular)? {
             // The point may have moved.
@@ -107,20 +105,35 @@ impl Search<'_, '_> {
     }
 
     /// What can be said without a step. Singular is also every system with multipliers that are not unique.
-    fn look_where_singular(&mut self, growth: f64, clear: f64) -> Option<Verdict> {
-        let runs_away = self.memory.asymptotic && growth > GROWN[0];
-        if runs_away || self.has_lost_a_variable() {
+    fn look_where_singular(&mut self, growth: f64) -> Option<Verdict> {
+        if self.memory.asymptotic && growth > GROWN[0] {
             return Some(Verdict::Asymptotic);
         }
-        if self.near_residual(AT_START) > clear {
+        let near = self.near_residual(AT_START);
+        if near <= self.settled() && growth <= GROWN[0] {
+            return Some(Verdict::Accepted);
+        }
+        if near > self.clear() {
             let has_grown = self.has_grown(1.0);
             return Some(if has_grown { Verdict::Asymptotic } else { Verdict::Refused });
         }
         // Beyond scales no step can tell.
-        self.is_beyond_scales().then(|| match growth > DIVERGED {
-            true => Verdict::Asymptotic,
-            false => Verdict::Accepted,
-        })
+        let verdict = if growth > DIVERGED { Verdict::Asymptotic } else { Verdict::Accepted };
+        self.is_beyond_scales().then_some(verdict)
+    }
+
+    /// What Newton's direction says, that of a point which is sharp or not.
+    fn look_where_regular(&mut self, limit: f64, is_sharp: bool) -> Option<Verdict> {
+        if self.leads_on(MOVING, limit) {
+            self.memory.runs_on = true;
+            return Some(Verdict::Asymptotic);
+        }
+        (is_sharp && !self.drifts(1.0)).then_some(Verdict::Accepted)
+    }
+
+    /// Relative residual of a point that is clearly a solution.
+    fn clear(&self) -> f64 {
+        (CONTRADICTION * self.run.options.tol_relative).max(SHARP)
     }
 
     /// Relative residual of a point with which all is said.
@@ -216,8 +229,7 @@ impl Search<'_, '_> {
         Continue(is_singular || !self.has_gone_on())
     }
 
-    /// Whether a variable that drifts has done so by steps of one length: those towards a root of multiplicity
-    /// `m` shrink by `1 − 1/m`.
+    /// Whether a variable that drifts has done so by steps of one length, all [`STEPS`] of them.
     fn has_gone_on(&self) -> bool {
         let memory = &*self.memory;
         let (y, d, units) = (&memory.here.z, &memory.direction, memory.view.units());

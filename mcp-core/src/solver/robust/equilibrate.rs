@@ -46,7 +46,7 @@ pub(super) const NEGLIGIBLE: i32 = -30;
 /// `⌊x + 0.59⌋`: least-squares solutions have small denominators, and none of them ties here.
 const OFFSET: f64 = 0.59;
 /// Largest exponent of a scale: larger ones come from exponentials and hold nowhere else.
-const LARGEST: i32 = 100;
+const LARGEST: i32 = 300;
 
 /// Exponent of a zero.
 pub(super) const NONE: i32 = i32::MIN / 4;
