@@ -26,11 +26,13 @@
 //! Two more looks follow where a point might be accepted. `s_i` is no larger than with `J` at
 //! `z ± 10⁻⁸ w`, where rows would be excused by more than `|z|`: beside a wall with an infinite slope `J(z)` says
 //! nothing about the way to a root. And `F` must not be infinite where variables next to a bound are
-//! put onto it. Cost: one pass, a few sweeps over the nonzeros, rarely three passes more.
+//! put onto it.
 //!
 //! A variable whose term fades in all equations that must hold, and with it their residuals, is on its way to
 //! infinity: `F_i = z^-p` is `1/p` of its term `J_ij z_j`, `e^-z` `1/z` of it, and `F_i` at `2 z_j` a part of
 //! both; next to a root `F_i` is a small share of the term, or it changes its sign or grows on the way to `2 z_j`.
+//! Cost of all: one pass, a few sweeps over the nonzeros, rarely three passes more, or an `F` for each variable
+//! that may fade.
 //!
 //! What no test of this kind can tell: an equation that is satisfied because it no longer depends
 //! on anything (`0 = 0`) looks like a solution at infinity and is called asymptotic; steps below 10⁻¹⁴

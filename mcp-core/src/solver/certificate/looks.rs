@@ -15,6 +15,8 @@ const FADED: f64 = 1e-5;
 const MOVING: f64 = 3e-3;
 /// What of it is left twice as far: `z^-p` with `p > 0.4`.
 const FADING: f64 = 0.75;
+/// Variables that are looked at twice as far.
+const CANDIDATES: usize = 8;
 
 impl Certifier {
     /// A variable that has grown far although no equation with it sees anything but its own terms.
@@ -41,17 +43,24 @@ impl Certifier {
         asked.all(is_lost).then_some(first)
     }
 
-    /// A variable beyond its start and between its bounds whose terms have become small beside the others in all equations that must
-    /// hold, although not beside the residual of the one where it is largest; and that residual becomes less
-    /// where the variable is twice as far.
+    /// A variable beyond its start and between its bounds whose terms have become small beside the others in all
+    /// equations that must hold, although not beside the residual of the one where it is largest; and that
+    /// residual becomes less where the variable is twice as far.
     pub(super) fn fading_variable(
         &mut self,
         problem: &mut dyn Problem,
         z: &[f64],
     ) -> Option<usize> {
-        (0..z.len()).find(|&j| {
-            self.fading_in(problem, z, j).is_some_and(|i| self.fades_on(problem, z, j, i))
-        })
+        let mut looks = 0;
+        for j in 0..z.len() {
+            if let Some(i) = self.fading_in(problem, z, j).filter(|_| looks < CANDIDATES) {
+                looks += 1;
+                if self.fades_on(problem, z, j, i) {
+                    return Some(j);
+                }
+            }
+        }
+        None
     }
 
     /// The equation where a variable is largest, if its term is small there, although not beside the residual.
