@@ -3,7 +3,7 @@
 mod common;
 
 use common::{FREE, NONNEGATIVE, dense, solve};
-use mcp_core::{Diagnosis, Method, Options, Solution, Status};
+use mcp_core::{Diagnosis, Method, Options, Problem, Solution, Status};
 
 /// One equation `f(z) ⟂ z` of which `f` and its derivative are given.
 fn one(bounds: (f64, f64), start: f64, f: impl Fn(f64) -> (f64, f64)) -> Solution {
@@ -90,6 +90,25 @@ fn an_answer_is_finite_where_steps_overflow() {
         for method in Method::ALL {
             let solution = solve(&mut problem, &Options::new(method));
             assert!(!solution.is_solved() && solution.z[0].is_finite(), "{method}: {solution:?}");
+        }
+    }
+}
+
+#[test]
+fn an_answer_is_finite_where_units_are_three_hundred_decades_apart() {
+    // v2 is in no equation, with 1e-300 as bound and 1e308 as start; then a slope of 5e-324.
+    let bounds = [(-1e300, 1e-160), (1e-300, f64::INFINITY)];
+    let mut far = dense(&bounds, &[1e300, 1e308], |z, f, jac| {
+        f.copy_from_slice(&[0.67 + 1e150 * z[0], z[0] - 1.0]);
+        jac.copy_from_slice(&[1e150, 1.0, 0.0, 0.0]);
+    });
+    let mut flat = dense(&[(f64::NEG_INFINITY, 1e-160)], &[1e-160], |z, f, jac| {
+        (f[0], jac[0]) = (1.0 + 5e-324 * z[0], 5e-324);
+    });
+    for method in Method::ALL {
+        for problem in [&mut far as &mut dyn Problem, &mut flat] {
+            let solution = solve(problem, &Options::new(method));
+            assert!(solution.z.iter().all(|z| z.is_finite()), "{method}: {solution:?}");
         }
     }
 }

@@ -109,7 +109,12 @@ impl Memory {
             PathEnd::Singular => return Break(Status::SingularSystem),
         }
         let bounds = run.problem.shape().bounds();
-        self.view.unscale(&self.basis.y, bounds, &mut run.work.current.z);
+        self.view.unscale(&self.basis.y, bounds, &mut self.y);
+        if self.y.iter().any(|z| !z.is_finite()) {
+            // A matrix as small as that counts as singular; the start stays.
+            return Break(Status::SingularSystem);
+        }
+        run.work.current.z.copy_from_slice(&self.y);
         run.evaluate_current();
         run.last = (Direction::Pivoting, 1.0);
         let _ = run.report();

@@ -48,6 +48,9 @@ const OFFSET: f64 = 0.59;
 /// Largest exponent of a scale: larger ones come from exponentials and hold nowhere else.
 const LARGEST: i32 = 300;
 
+/// Largest exponent of a scaled variable.
+const FARTHEST: i32 = 900;
+
 /// Exponent of a zero.
 pub(super) const NONE: i32 = i32::MIN / 4;
 
@@ -140,6 +143,10 @@ impl Equilibration {
         self.scale_fixed(at);
         for scale in self.r.iter_mut().chain(&mut self.c) {
             *scale = (*scale).clamp(-LARGEST, LARGEST);
+        }
+        // A start of 10³⁰⁰ beside a bound of 10⁻³⁰⁰ must not overflow.
+        for (c, &z) in self.c.iter_mut().zip(sample.z) {
+            *c = (*c).max(exponent(z) - FARTHEST);
         }
         self.known = known;
     }
