@@ -77,7 +77,8 @@ pub struct Certificate {
     pub constants_lost: Option<usize>,
     /// A variable between its bounds, beyond its start (or 1, if that is 0), that fades out of all equations
     /// that must hold (`v = e^-z`, `v = 0`): its terms are below 10⁻⁵ of their sizes; where it is largest, the
-    /// residual is no less than a 300th of its term, and less where it is twice as far.
+    /// residual is at least 0.003 of its term, also with other variables on their bounds, and at most 3/4 of
+    /// that, with the same sign, where it is twice as far. At most eight variables are looked at.
     pub fading: Option<usize>,
 }
 

@@ -11,7 +11,7 @@ const GROWN: f64 = 67_108_864.0;
 const BESIDE: f64 = 1e-8;
 /// Share of the terms of an equation that a variable on its way to infinity has left of it.
 const FADED: f64 = 1e-5;
-/// Residual, relative to that term, of a point that still moves: `e^(−z²)` at 13.
+/// Residual, relative to that term, of a point that still moves: `e^(−z²)` at 12.
 const MOVING: f64 = 3e-3;
 /// What of it is left twice as far: `z^-p` with `p > 0.4`.
 const FADING: f64 = 0.75;
@@ -53,9 +53,9 @@ impl Certifier {
     ) -> Option<usize> {
         let mut looks = 0;
         for j in 0..z.len() {
-            if let Some(i) = self.fading_in(problem, z, j).filter(|_| looks < CANDIDATES) {
+            if let Some((i, term)) = self.fading_in(problem, z, j).filter(|_| looks < CANDIDATES) {
                 looks += 1;
-                if self.fades_on(problem, z, j, i) {
+                if self.fades_on(problem, z, j, (i, term)) {
                     return Some(j);
                 }
             }
@@ -63,8 +63,9 @@ impl Certifier {
         None
     }
 
-    /// The equation where a variable is largest, if its term is small there, although not beside the residual.
-    fn fading_in(&self, problem: &dyn Problem, z: &[f64], j: usize) -> Option<usize> {
+    /// The equation where a variable is largest and its term, if that is small there, although not beside the
+    /// residual.
+    fn fading_in(&self, problem: &dyn Problem, z: &[f64], j: usize) -> Option<(usize, f64)> {
         let (shape, pattern) = (problem.shape(), problem.pattern());
         let must_hold = |i: usize| self.sizes.must_hold(shape.bounds(), i, z[i], self.f[i]);
         if !(has_grown(shape, z, j) && must_hold(j)) {
@@ -73,19 +74,30 @@ impl Certifier {
         let terms = pattern.column(j).map(|k| (pattern.row(k), (self.jac[k] * z[j]).abs()));
         let shares = terms
             .filter(|&(i, _)| must_hold(i))
-            .map(|(i, term)| (term / self.sizes.of_row[i], i, self.f[i].abs() / term));
-        let (share, i, residual) = shares.max_by(|a, b| a.0.total_cmp(&b.0))?;
-        (0.0 < share && share <= FADED && residual >= MOVING).then_some(i)
+            .map(|(i, term)| (term / self.sizes.of_row[i], i, term));
+        let (share, i, term) = shares.max_by(|a, b| a.0.total_cmp(&b.0))?;
+        let is_small = 0.0 < share && share <= FADED && self.f[i].abs() >= MOVING * term;
+        is_small.then_some((i, term))
     }
 
-    /// Whether `F_i` keeps its sign and shrinks where `z_j` is twice as large.
-    fn fades_on(&mut self, problem: &mut dyn Problem, z: &[f64], j: usize, i: usize) -> bool {
-        self.beside.copy_from_slice(z);
+    /// Whether `F_i`, with variables put onto the bounds they belong to, is no less a share of the term, keeps its
+    /// sign and shrinks where `z_j` is twice as large.
+    fn fades_on(
+        &mut self,
+        problem: &mut dyn Problem,
+        z: &[f64],
+        j: usize,
+        (i, term): (usize, f64),
+    ) -> bool {
+        self.put_onto_bounds(problem, z);
+        problem.evaluate(&self.beside, Some(&mut self.f_beside), None);
+        let here = self.f_beside[i];
         self.beside[j] *= 2.0;
         problem.shape().bounds().project(&mut self.beside);
         problem.evaluate(&self.beside, Some(&mut self.f_beside), None);
-        let left = self.f_beside[i] / self.f[i];
-        self.beside[j] == 2.0 * z[j] && (0.0..=FADING).contains(&left)
+        let is_twice = self.beside[j] == 2.0 * z[j];
+        let left = self.f_beside[i] / here;
+        is_twice && here.abs() >= MOVING * term && (0.0..=FADING).contains(&left)
     }
 
     /// Whether an equation that must hold does so only by what `k` adds to its size.
@@ -135,6 +147,15 @@ impl Certifier {
     /// Whether `F` is infinite where variables that belong onto a bound are put there. Where it is NaN,
     /// as `z ln z` at 0, it may have a limit.
     pub(super) fn is_infinite_on_bounds(&mut self, problem: &mut dyn Problem, z: &[f64]) -> bool {
+        let is_moved = self.put_onto_bounds(problem, z);
+        if is_moved {
+            problem.evaluate(&self.beside, Some(&mut self.f_beside), None);
+        }
+        is_moved && self.f_beside.iter().any(|f| f.is_infinite())
+    }
+
+    /// The point with variables on the bounds they belong to; whether it is another one.
+    fn put_onto_bounds(&mut self, problem: &dyn Problem, z: &[f64]) -> bool {
         let bounds = problem.shape().bounds();
         let mut is_moved = false;
         for i in 0..z.len() {
@@ -146,10 +167,7 @@ impl Certifier {
             };
             is_moved |= self.beside[i] != z[i];
         }
-        if is_moved {
-            problem.evaluate(&self.beside, Some(&mut self.f_beside), None);
-        }
-        is_moved && self.f_beside.iter().any(|f| f.is_infinite())
+        is_moved
     }
 }
 

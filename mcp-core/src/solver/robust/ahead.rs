@@ -156,7 +156,9 @@ impl Search<'_, '_> {
     fn leads_on(&self, moving: f64, limit: f64) -> bool {
         let memory = &*self.memory;
         let (y, d) = (&memory.here.z, &memory.direction);
-        (0..y.len()).any(|j| memory.growth(j) > limit && d[j].abs() > moving * y[j].abs())
+        (0..y.len()).any(|j| {
+            memory.growth(j) > limit && d[j].abs() > moving * y[j].abs() && self.is_inside(j)
+        })
     }
 
     /// Whether the direction changes a variable that is more than `times` its start by more than a little.
@@ -167,7 +169,14 @@ impl Search<'_, '_> {
     fn is_drifting(&self, j: usize, times: f64) -> bool {
         let memory = &*self.memory;
         let (y, d) = (memory.here.z[j], memory.direction[j]);
-        memory.model_z[j].abs() > times * memory.own(j) && d.abs() > SHORT * y.abs()
+        let has_grown = memory.model_z[j].abs() > times * memory.own(j);
+        has_grown && d.abs() > SHORT * y.abs() && self.is_inside(j)
+    }
+
+    /// Whether the direction of a variable is Newton's, and not the way to a bound.
+    fn is_inside(&self, j: usize) -> bool {
+        let memory = &*self.memory;
+        memory.view.natural(&memory.here, j).1 == Branch::Equation
     }
 
     /// Goes on with Newton's steps, damped ones where the matrix is singular, as long as they lead to a

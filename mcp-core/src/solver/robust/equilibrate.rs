@@ -46,7 +46,7 @@ pub(super) const NEGLIGIBLE: i32 = -30;
 /// `⌊x + 0.59⌋`: least-squares solutions have small denominators, and none of them ties here.
 const OFFSET: f64 = 0.59;
 /// Largest exponent of a scale: larger ones come from exponentials and hold nowhere else.
-const LARGEST: i32 = 300;
+const LARGEST: i32 = 100;
 
 /// Largest exponent of a scaled variable.
 const FARTHEST: i32 = 900;

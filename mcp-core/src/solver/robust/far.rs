@@ -6,8 +6,8 @@
 //!            ẑ_j = z_j clipped to ±k |z_j⁰|,  w_j = |ẑ_j| + |z_j⁰|
 //! ```
 //!
-//! `unit` is the unit of the first scales, which stands for a start of 0. Cost: one `J`, for a variable in no
-//! equation some dozens.
+//! `unit` is the unit of the first scales, which stands for a start of 0. Cost: one `J`; for each of up to eight
+//! variables that are lost in their equations one for each factor 2 of growth, and twelve if it is seen again.
 
 use super::Search;
 use super::memory::Memory;
@@ -24,11 +24,10 @@ const SMALL: f64 = 1e-8;
 /// Share of a variable in its equations that counts as none, and one that cannot come of rounding.
 const LOST: f64 = f64::EPSILON;
 const SEEN: f64 = 1e-8;
-/// On the way back to where a lost variable is seen: what a step multiplies it by, how many there are, and how
-/// often the last one is halved.
+/// On the way back to where a lost variable is seen: what a step multiplies it by, and how often the last one is
+/// halved.
 const SHORTER: f64 = 0.5;
-const BACK: usize = 60;
-const BISECTIONS: usize = 16;
+const BISECTIONS: usize = 12;
 /// Lost variables that are looked at.
 const CANDIDATES: usize = 8;
 
@@ -117,35 +116,43 @@ impl Search<'_, '_> {
         let n = self.memory.unit.len();
         self.memory.slope.copy_from_slice(&self.memory.model_z);
         self.slopes();
-        let is_lost = |j: usize| {
-            let memory = &*self.memory;
+        let is_lost: fn(&Self, usize) -> bool = |search, j| {
+            let memory = &*search.memory;
             memory.model_z[j].abs() > memory.own(j)
                 && memory.view.natural(&memory.here, j).1 == Branch::Equation
-                && self.share(j) < LOST
+                && search.share(j) < LOST
         };
-        let lost = std::array::from_fn::<_, CANDIDATES, _>({
-            let mut all = (0..n).filter(|&j| is_lost(j));
-            move |_| all.next()
-        });
-        lost.into_iter().flatten().any(|j| self.left_smoothly(j))
+        let mut j = 0;
+        for _ in 0..CANDIDATES {
+            let Some(next) = (j..n).find(|&j| is_lost(self, j)) else {
+                return false;
+            };
+            if self.left_smoothly(next) {
+                return true;
+            }
+            j = next + 1;
+            self.memory.slope.copy_from_slice(&self.memory.model_z);
+            self.slopes();
+        }
+        false
     }
 
-    /// Whether the derivatives of a lost variable come into sight by degrees on the way back.
+    /// Whether the derivatives of a lost variable come into sight by degrees on the way back to the start.
     fn left_smoothly(&mut self, j: usize) -> bool {
-        self.memory.slope.copy_from_slice(&self.memory.model_z);
-        let z = self.memory.model_z[j];
+        let own = self.memory.own(j);
+        let mut far = self.memory.model_z[j];
+        let mut near = SHORTER * far;
         let mut share_at = |z: f64| {
             self.memory.slope[j] = z;
             self.run.problem.shape().bounds().project(&mut self.memory.slope);
             self.slopes();
             self.share(j)
         };
-        let (mut far, mut near) = (z, z);
-        for _ in 0..BACK {
-            (far, near) = (near, SHORTER * near);
-            if share_at(near) >= LOST {
-                break;
+        while share_at(near) < LOST {
+            if !(near.abs() > own) {
+                return false;
             }
+            (far, near) = (near, SHORTER * near);
         }
         for _ in 0..BISECTIONS {
             let between = 0.5 * (far + near);

@@ -25,7 +25,7 @@
 //! | backtracking | Newton alone, with steps as short as it takes | [DFK96](crate#references) |
 //!
 //! No stage depends on units: iterates are the same, bit for bit, when equations or variables are
-//! multiplied by powers of two, as long as nothing over- or underflows, no scale is beyond `2^±300`, no
+//! multiplied by powers of two, as long as nothing over- or underflows, no scale is beyond `2^±100`, no
 //! absolute tolerance is set, and the start has sizes. It has none where variables that start at 0, with no
 //! other finite bound than 0, are in equations that are 0 there too, or in none; and where it has to be
 //! moved inside its box. A stage ends the solve only at a point the [`Certificate`](crate::Certificate)
