@@ -112,3 +112,28 @@ fn an_answer_is_finite_where_units_are_three_hundred_decades_apart() {
         }
     }
 }
+
+#[test]
+fn roots_of_steep_exponentials_are_not_taken_for_infinity() {
+    for (bounds, start, k, c) in [
+        (NONNEGATIVE, 3.0, 100.0, 4.179_543_610_903_63e138),
+        ((0.0, 7.0), 2.0, 100.0, 1e120),
+        ((f64::NEG_INFINITY, 7.0), 1.0, 80.0, 3.901_001_750_182_099e158),
+    ] {
+        let solution = one(bounds, start, move |z| ((k * z).exp() - c, k * (k * z).exp()));
+        assert!(solution.is_solved(), "{start} {solution:?}");
+        // `tol_relative` is 1e-8 of the term, `J z`.
+        assert!((solution.z[0] - c.ln() / k).abs() < 1e-8 * solution.z[0], "{start} {solution:?}");
+    }
+}
+
+#[test]
+fn a_price_that_a_free_good_leaves_open_is_not_taken_for_infinite() {
+    // v + 0.1 ⟂ v >= 0 and √v / p ⟂ p >= 0: any p at v = 0.
+    let mut problem = dense(&[NONNEGATIVE; 2], &[1.0, 1.0], |z, f, jac| {
+        f.copy_from_slice(&[z[0] + 0.1, z[0].sqrt() / z[1]]);
+        jac.copy_from_slice(&[1.0, 0.5 / z[0].sqrt() / z[1], 0.0, -z[0].sqrt() / (z[1] * z[1])]);
+    });
+    let solution = solve(&mut problem, &Options::new(Method::NewtonFb));
+    assert!(solution.is_solved(), "{solution:?}");
+}
