@@ -118,8 +118,9 @@ impl Certificate {
     /// The definition of a solution: in the box, [finite](Self::is_finite), `e <= tol_relative`, and
     /// `r <= tol` if an absolute tolerance is set.
     ///
-    /// Where `r <= tol` but an equation has lost its derivatives or its constants or all have lost a
-    /// variable, or `e` stays large while a variable runs away, it is asymptotic. Without an absolute tolerance `e` alone decides.
+    /// Where `r <= tol` but an equation has lost its derivatives or its constants, or a variable fades out of all
+    /// of them, or `e` stays large while a variable runs away, it is asymptotic. Without an absolute tolerance `e`
+    /// alone decides.
     pub fn verdict(&self, tol: Option<f64>, tol_relative: f64) -> Verdict {
         let in_box = self.bound_violation <= 0.0;
         let relative = self.relative_residual <= tol_relative;

@@ -53,11 +53,15 @@ impl Certifier {
     ) -> Option<usize> {
         let mut looks = 0;
         for j in 0..z.len() {
-            if let Some((i, term)) = self.fading_in(problem, z, j).filter(|_| looks < CANDIDATES) {
-                looks += 1;
-                if self.fades_on(problem, z, j, (i, term)) {
-                    return Some(j);
-                }
+            let Some(place) = self.fading_in(problem, z, j) else {
+                continue;
+            };
+            if self.fades_on(problem, z, j, place) {
+                return Some(j);
+            }
+            looks += 1;
+            if looks == CANDIDATES {
+                break;
             }
         }
         None

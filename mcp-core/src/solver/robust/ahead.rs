@@ -173,8 +173,8 @@ impl Search<'_, '_> {
         has_grown && d.abs() > SHORT * y.abs() && self.is_inside(j)
     }
 
-    /// Whether the direction of a variable is Newton's, and not the way to a bound.
-    fn is_inside(&self, j: usize) -> bool {
+    /// Whether a variable is taken to lie between its bounds: its direction is Newton's, not the way to a bound.
+    pub(super) fn is_inside(&self, j: usize) -> bool {
         let memory = &*self.memory;
         memory.view.natural(&memory.here, j).1 == Branch::Equation
     }

@@ -116,25 +116,25 @@ impl Search<'_, '_> {
         let n = self.memory.unit.len();
         self.memory.slope.copy_from_slice(&self.memory.model_z);
         self.slopes();
-        let is_lost: fn(&Self, usize) -> bool = |search, j| {
-            let memory = &*search.memory;
-            memory.model_z[j].abs() > memory.own(j)
-                && memory.view.natural(&memory.here, j).1 == Branch::Equation
-                && search.share(j) < LOST
-        };
-        let mut j = 0;
+        let mut from = 0;
         for _ in 0..CANDIDATES {
-            let Some(next) = (j..n).find(|&j| is_lost(self, j)) else {
+            let Some(j) = (from..n).find(|&j| self.is_lost(j)) else {
                 return false;
             };
-            if self.left_smoothly(next) {
+            if self.left_smoothly(j) {
                 return true;
             }
-            j = next + 1;
+            from = j + 1;
             self.memory.slope.copy_from_slice(&self.memory.model_z);
             self.slopes();
         }
         false
+    }
+
+    /// Whether a variable has grown between its bounds and no equation sees it, with the slopes at the iterate.
+    fn is_lost(&self, j: usize) -> bool {
+        let memory = &*self.memory;
+        memory.model_z[j].abs() > memory.own(j) && self.is_inside(j) && self.share(j) < LOST
     }
 
     /// Whether the derivatives of a lost variable come into sight by degrees on the way back to the start.
